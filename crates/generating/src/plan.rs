@@ -103,6 +103,8 @@ pub struct GrindingPlan {
     /// Largest error of the planned flank inside the cells of the result grid, per flank, normal, mm; 0 where polynomials
     /// tell the whole plan.
     pub between: Sides<f64>,
+    /// The refusal of the rules that a best fit took the place of.
+    pub instead_of: Option<Box<NoPlan>>,
 }
 
 /// Determinant ratio that every contact keeps where nothing else is asked for.
@@ -113,8 +115,6 @@ pub(super) const LARGEST_DRESSING_MARGIN: f64 = 48.0;
 const CONTACT_MARGIN: f64 = 1.5;
 /// Share of the tolerance within which a plan with edges is taken as it is.
 const WELL_WITHIN: f64 = 0.4;
-/// A fit takes the place of a refusal if it leaves at most this share of what an unmodified flank would.
-const USEFUL: f64 = 1.0;
 /// Share of the tolerance within which a cheaper ratio is taken.
 const HALF: f64 = 0.5;
 /// Outer rounds with the worm as dressed.
@@ -244,9 +244,9 @@ impl PlanTask<'_> {
         })
     }
 
-    /// Whether the dressing motion is to make the profile of a gear that is ground without shift.
+    /// Whether the dressing motion is to make the profile of a gear that is ground without shift: on its own it often has no room to.
     fn corrects_profile_without_shift(&self) -> bool {
-        self.ratio == Some(0.0) && self.law.is_none() && self.places.contains(&ProfilePlace::Correction)
+        self.ratio == Some(0.0) && self.law.is_none() && self.places == [ProfilePlace::Correction]
     }
 
     /// Both flanks as the question of equal swivel has them.
@@ -353,8 +353,8 @@ impl PlanTask<'_> {
         }
         match (self.plan_by_fit(&ruled), ruled) {
             (Some(fitted), Ok(ruled)) if self.strain_of(&fitted) < self.strain_of(&ruled) => Ok(fitted),
-            (Some(fitted), Err(_)) if self.deviation(&fitted) <= USEFUL * self.unmodified(&fitted) => {
-                Ok(fitted)
+            (Some(fitted), Err(refused)) if self.deviation(&fitted) <= self.unmodified(&fitted) => {
+                Ok(GrindingPlan { instead_of: Some(refused), ..fitted })
             }
             (_, ruled) => ruled,
         }
@@ -495,6 +495,7 @@ impl PlanTask<'_> {
             dressed_error_by_round: records.dressed,
             determinant,
             between,
+            instead_of: None,
         })
     }
 

@@ -298,7 +298,7 @@ fn tasks_without_flank_or_with_too_little_worm_are_refused() {
 fn plans_beyond_the_limits_are_refused_with_the_limit() {
     let setup = setup();
     let tight = DressingLimits { correction: [1e-5, 1e-5, 1e-3, 1e-3], delta_d: 1e-7 };
-    let error = PlanTask { limits: tight, ..task(&setup) }.plan().unwrap_err();
+    let error = PlanTask { limits: tight, ..task(&setup) }.plan_by_rules().unwrap_err().error;
     says(&error, "axis-limit", &["planning takes at most", "d_"], false);
     // A ratio that is not exact enough is refused as a candidate, and made all the same when none is.
     let exact = PlanTask { tolerance: 1e-9, ratio: Some(-1.2), ..task(&setup) };

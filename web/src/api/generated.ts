@@ -943,6 +943,11 @@ export interface components {
       diagonal_ratio: number;
       /**
        * Format: double
+       * @description Travel of the feed without overrun.
+       */
+      feed_travel_mm: number;
+      /**
+       * Format: double
        * @description Largest error of the ideal worm.
        */
       ideal_error_um: number;

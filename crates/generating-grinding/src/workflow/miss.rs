@@ -142,14 +142,20 @@ fn profile_without_ratio(miss: &Miss<'_>) -> Option<Remark> {
     };
     let um = miss.largest(short);
     (asked && um > miss.tolerance_um()).then(|| {
-        let by_correction = miss.prepared.rules.places.contains(&ProfilePlace::Correction);
-        let why = if by_correction { "corrections of the dressing motion do not reach so far with this worm" } else { "dressing makes none of it as the job has it" };
+        let by_correction = miss.prepared.rules.places == [ProfilePlace::Correction];
+        let (why, first) = if by_correction {
+            ("corrections of the dressing motion do not reach so far with this worm", "Take a worm with more threads")
+        } else {
+            ("the job does not ask for them", "Ask for dressing.profile_crowning_by = \"correction\"")
+        };
         Remark::new(
             "profile-needs-a-ratio",
             format!(
                 "{um:.3} um of the profile are not made: without shift a dresser that is given makes a profile by dressing corrections alone, and {why}."
             ),
-            "Take a worm with more threads, give a small diagonal_ratio, for example -0.05, or let the dresser be made for the target (dresser.modification = \"target\").",
+            format!(
+                "{first}, give a small diagonal_ratio, for example -0.05, or let the dresser be made for the target (dresser.modification = \"target\")."
+            ),
         )
     })
 }

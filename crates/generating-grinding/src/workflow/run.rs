@@ -122,8 +122,14 @@ fn finish(
     }
     let refereeing = Instant::now();
     let cutting = Cutting { feed_per_revolution: cycle.feed_per_revolution, strokes: cycle.strokes.as_ref() };
-    let verdicts = referee::run(&prepared.setup, &execution, cutting, progress)
-        .map_err(|e| of_simulation(&e, &prepared, plan.is_some()))?;
+    let verdicts = referee::run(&prepared.setup, &execution, cutting, progress).map_err(|e| {
+        // What took the place of a refusal and cannot be ground is refused for the first reason.
+        let refused = plan.as_ref().and_then(|plan| plan.instead_of.as_deref());
+        refused.map_or_else(
+            || of_simulation(&e, &prepared, plan.is_some()),
+            |refused| of_planning(refused, &prepared),
+        )
+    })?;
     let gear_root = gear_root(&prepared, &execution)?;
     let tip_edge = tip_edge_depths(&prepared, &execution)?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());

@@ -111,30 +111,24 @@ helix_points = 11
     ))
 }
 
-/// Without a shift the dressing motion makes the profile that a given dresser lacks, as far as the worm lets it.
+/// Without a shift the dressing motion makes the profile that a given dresser lacks, where it is asked to.
 #[test]
 fn corrections_make_a_profile_without_shift() {
-    let radial = |modification: &str, worm: &str| {
-        let rest =
-            "[dresser]\ntip_diameter = 123.0\nmodification = \"none\"\n[grinding]\nmethod = \"radial\"";
-        planned(&left_handed(modification, worm, rest)).verdict
+    let radial = |modification: &str, dressing: &str| {
+        let rest = format!(
+            "[dresser]\ntip_diameter = 123.0\nmodification = \"none\"\n{dressing}\n[grinding]\nmethod = \"radial\""
+        );
+        planned(&left_handed(modification, "threads = 7\ntip_diameter = 108.75", &rest)).verdict
     };
-    let seven = "threads = 7\ntip_diameter = 108.75";
-    for modification in [
-        r#"{ kind = "profile_crowning", amount_um = 5.0 }"#,
-        r#"{ kind = "profile_slope", amount_um = 6.0 }"#,
-    ] {
-        let verdict = radial(modification, seven);
+    let crowning = r#"{ kind = "profile_crowning", amount_um = 5.0 }"#;
+    for modification in [crowning, r#"{ kind = "profile_slope", amount_um = 6.0 }"#] {
+        let verdict = radial(modification, "[dressing]\nprofile_crowning_by = \"correction\"");
         assert_eq!(verdict.status(), Status::Met, "{modification}: {:?}", verdict.reason());
     }
-    let verdict =
-        radial(r#"{ kind = "profile_crowning", amount_um = 40.0 }"#, "threads = 3\ntip_diameter = 200.0");
+    let verdict = radial(crowning, "");
     let reason = verdict.reason().expect("a miss");
     assert_eq!(reason.code, "profile-needs-a-ratio", "{reason:?}");
-    assert!(
-        reason.text.contains("do not reach so far") && reason.way_out.contains("more threads"),
-        "{reason:?}"
-    );
+    assert!(reason.way_out.contains("profile_crowning_by = \"correction\""), "{reason:?}");
 }
 
 /// A profile crowning that varies along the worm is planned by the rules and not dressed.

@@ -5,7 +5,7 @@ use super::of_files::FileWalk;
 use serde_json::{Value, json};
 
 /// Keys that change nothing.
-const EXCEPTIONS: [(&str, &str); 19] = [
+const EXCEPTIONS: [(&str, &str); 20] = [
     ("job.name", "a name"),
     ("job.description", "a comment"),
     ("job.process", "says which keys there are"),
@@ -16,6 +16,7 @@ const EXCEPTIONS: [(&str, &str); 19] = [
     ("catalogue.dressers_csv", "the name of a file; without it the job is refused"),
     ("control.servo.disturbances.kind", "says which keys there are"),
     ("grinding.diagonal_ratio.curve.kind", "says which keys there are"),
+    ("target.judged", "says whether there are traces, whose keys are walked"),
     ("target.tolerance_map", "the name of a file; its table is walked"),
     (
         "settings.strokes.left.touching_mm",
@@ -56,7 +57,6 @@ fn values() -> Vec<(&'static str, Value)> {
         ("grinding.diagonal_ratio", json!("auto")),
         ("grinding.gauge", json!("equal-swivel")),
         ("grinding.prefer", json!("accuracy")),
-        ("target.judged", json!("field")),
         ("target.traces.helix_w_mm", json!([8.0])),
         ("target.traces.profile_z_mm", json!([9.0])),
         ("grinding.axis_limits.d_phi_S_deg", json!(1e-4)),
