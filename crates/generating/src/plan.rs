@@ -113,6 +113,8 @@ pub const DEFAULT_LEAST_DETERMINANT: f64 = 0.1;
 pub(super) const LARGEST_DRESSING_MARGIN: f64 = 48.0;
 /// Distance of the contacts from the ends of the finished worm, mm: room for the search of a check of the plan.
 const CONTACT_MARGIN: f64 = 1.5;
+/// Tolerances that half the range of a target may be for a fit to be worth its time.
+const TOO_MUCH: f64 = 100.0;
 /// Share of the tolerance within which a plan with edges is taken as it is.
 const WELL_WITHIN: f64 = 0.4;
 /// Share of the tolerance within which a cheaper ratio is taken.
@@ -351,6 +353,9 @@ impl PlanTask<'_> {
         if !self.may_be_fitted() || ruled.as_ref().is_ok_and(|plan| self.is_sound(plan)) {
             return ruled;
         }
+        if ruled.is_err() && self.asks_too_much() {
+            return ruled;
+        }
         match (self.plan_by_fit(&ruled), ruled) {
             (Some(fitted), Ok(ruled)) if self.strain_of(&fitted) < self.strain_of(&ruled) => Ok(fitted),
             (Some(fitted), Err(refused)) if self.deviation(&fitted) <= self.unmodified(&fitted) => {
@@ -358,6 +363,18 @@ impl PlanTask<'_> {
             }
             (_, ruled) => ruled,
         }
+    }
+
+    /// Whether the target is so large against its tolerance that no fit comes near where the rules find nothing.
+    fn asks_too_much(&self) -> bool {
+        let grid = self.planning_grid();
+        let half_range = |flank: Flank| {
+            let target = self.targets[flank].as_ref()?;
+            let values = grid.target(flank, target, self.setup.lines[flank].cos_b2).ok()?;
+            let [low, high] = extremes(values);
+            Some(0.5 * (high - low))
+        };
+        Flank::BOTH.into_iter().filter_map(half_range).any(|half| half > TOO_MUCH * self.tolerance)
     }
 
     /// Whether a plan by the rules needs no other: within the tolerance, and far enough from a fold and from the tolerance that points between
