@@ -12,12 +12,12 @@ use verdict::Status;
 /// Drawings as shops have them, one a line, with the names of their jobs.
 const DRAWINGS: &str = include_str!("drawings.json");
 
-fn drawing(name: &str) -> Value {
+pub fn drawing(name: &str) -> Value {
     let all: Vec<Value> = serde_json::from_str(DRAWINGS).unwrap();
     all.into_iter().find(|job| job["job"]["name"] == name).unwrap()
 }
 
-fn load(job: &Value) -> LoadedJob {
+pub fn load(job: &Value) -> LoadedJob {
     parse_job_of::<Job>(Source::new("drawing.json", &job.to_string())).unwrap_or_else(|e| panic!("{e}"))
 }
 

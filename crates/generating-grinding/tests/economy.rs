@@ -1,20 +1,17 @@
 //! Which ratio a plan takes where several are good enough (`grinding.prefer`), and the limits that it keeps to.
 
+use super::best_fit::{drawing, load};
 use generating::{GrindingPlan, RatioReason};
-use generating_grinding::job::Job;
 use generating_grinding::workflow::prepare;
-use job::{Source, parse_job_of};
 use serde_json::{Value, json};
 
 /// A helical gear whose rule takes nearly all of the worm (K* on both flanks).
 const DRAWING: &str = "d007";
 
 fn plan(change: impl FnOnce(&mut Value)) -> (GrindingPlan, f64) {
-    let all: Vec<Value> = serde_json::from_str(include_str!("drawings.json")).unwrap();
-    let mut job = all.into_iter().find(|job| job["job"]["name"] == DRAWING).unwrap();
+    let mut job = drawing(DRAWING);
     change(&mut job);
-    let loaded = parse_job_of::<Job>(Source::new("drawing.json", &job.to_string())).unwrap();
-    let ready = prepare(&loaded).unwrap();
+    let ready = prepare(&load(&job)).unwrap();
     let plan = ready.task().plan().unwrap();
     (plan, ready.tolerance.tightest())
 }

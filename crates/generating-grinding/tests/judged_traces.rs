@@ -1,5 +1,6 @@
 //! Drawings that judge traces (`target.judged = "traces"`), and radial feed with edges.
 
+use super::truck_gear::TRUCK_GEAR;
 use foundation::numerics::Silent;
 use generating_grinding::job::Job;
 use generating_grinding::workflow::{JobResult, plan_job};
@@ -7,26 +8,22 @@ use job::{Source, parse_job_of};
 use verdict::Status;
 
 /// A truck gear; radial feed leaves 3.8 um of twist at the corners of its crowning of 12 um.
-fn truck(target: &str, grinding: &str) -> JobResult {
+fn truck(judged: &str, grinding: &str) -> JobResult {
+    relieved("", judged, grinding)
+}
+
+/// The same with more than the crowning.
+fn relieved(relief: &str, judged: &str, grinding: &str) -> JobResult {
     planned(&format!(
         r#"
 [job]
 name = "traces"
 process = "generating-grinding"
-[gear]
-teeth = 31
-normal_module = 4.0
-normal_pressure_angle_deg = 20.0
-helix_angle_deg = 18.0
-profile_shift = 0.2
-face_width = 42.0
-tip_diameter = 139.9
-root_diameter = 121.9
-form_diameter = 125.5
+{TRUCK_GEAR}
 [target]
 tolerance_um = 2.0
-modifications = [{{ kind = "helix_crowning", amount_um = 12.0 }}]
-{target}
+modifications = [{{ kind = "helix_crowning", amount_um = 12.0 }}{relief}]
+{judged}
 [worm]
 threads = 3
 tip_diameter = 280.0
@@ -80,11 +77,8 @@ fn the_least_worm_is_none_where_the_twist_is_not_judged() {
 #[test]
 fn a_fit_keeps_to_the_traces() {
     let relief = |judged: &str| {
-        let mods = "modifications = [{ kind = \"helix_crowning\", amount_um = 12.0 }, { kind = \"end_relief_I\", amount_um = 30.0, length_mm = 6.0 }]";
-        planned(&format!(
-            "{}\n[target]\ntolerance_um = 2.0\n{mods}\n{judged}\n[worm]\nthreads = 3\ntip_diameter = 280.0\nwidth = 160.0\n[dresser]\ntip_diameter = 123.0\n[grinding]\nmethod = \"diagonal\"\nfeed_per_revolution = 0.4\n[grid]\nprofile_points = 11\nhelix_points = 21\n",
-            "[job]\nname = \"t\"\nprocess = \"generating-grinding\"\n[gear]\nteeth = 31\nnormal_module = 4.0\nnormal_pressure_angle_deg = 20.0\nhelix_angle_deg = 18.0\nprofile_shift = 0.2\nface_width = 42.0\ntip_diameter = 139.9\nroot_diameter = 121.9\nform_diameter = 125.5"
-        ))
+        let end = ", { kind = \"end_relief_I\", amount_um = 30.0, length_mm = 6.0 }";
+        relieved(end, judged, "method = \"diagonal\"")
     };
     let result = relief("judged = \"traces\"\ntraces = { beside_um = 8.0 }");
     assert_eq!(result.verdict.status(), Status::Met, "{:?}", result.verdict.reason());

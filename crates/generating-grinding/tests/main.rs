@@ -14,4 +14,5 @@ mod plan_bodies;
 mod program_areas;
 mod stroke_plans;
 mod targets;
+mod truck_gear;
 mod verdicts;

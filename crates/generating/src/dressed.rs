@@ -468,11 +468,11 @@ fn dress(
         }
         lever[0] = f64::max(lever[0], worm.lines.cos_b1 * setup.pair.worm.flank(flank).base_radius);
     }
-    if radial && asked {
-        // The same all along the worm.
-        return motion(setup, plan, tool, flanks, policy, NodePlan { interval, nodes: 1 });
-    }
     if radial {
+        if asked {
+            // The same all along the worm.
+            return motion(setup, plan, tool, flanks, policy, NodePlan { interval, nodes: 1 });
+        }
         let zero = Chebyshev::constant(interval.0, interval.1, 0.0);
         return Ok(([zero.clone(), zero.clone(), zero.clone(), zero], Vec::new()));
     }

@@ -147,6 +147,12 @@ pub(super) struct Records {
 /// reliefs and waves stand on the tool's lines.
 const PLANNING_GRIDS: [[usize; 2]; 2] = [[9, 9], [17, 41]];
 
+/// What the best constant misses of some values.
+fn half_range(values: impl IntoIterator<Item = f64>) -> f64 {
+    let [low, high] = extremes(values);
+    0.5 * (high - low)
+}
+
 impl PlanTask<'_> {
     pub(super) fn rule<'a>(&'a self, grid: &'a PlanningGrid) -> Rule<'a> {
         Rule {
@@ -368,13 +374,11 @@ impl PlanTask<'_> {
     /// Whether the target is so large against its tolerance that no fit comes near where the rules find nothing.
     fn asks_too_much(&self) -> bool {
         let grid = self.planning_grid();
-        let half_range = |flank: Flank| {
+        let of_flank = |flank: Flank| {
             let target = self.targets[flank].as_ref()?;
-            let values = grid.target(flank, target, self.setup.lines[flank].cos_b2).ok()?;
-            let [low, high] = extremes(values);
-            Some(0.5 * (high - low))
+            grid.target(flank, target, self.setup.lines[flank].cos_b2).ok().map(half_range)
         };
-        Flank::BOTH.into_iter().filter_map(half_range).any(|half| half > TOO_MUCH * self.tolerance)
+        Flank::BOTH.into_iter().filter_map(of_flank).any(|half| half > TOO_MUCH * self.tolerance)
     }
 
     /// Whether a plan by the rules needs no other: within the tolerance, and far enough from a fold and from the tolerance that points between
@@ -392,10 +396,7 @@ impl PlanTask<'_> {
 
     /// What an unmodified flank in the best place would miss of the target of a plan, normal, mm.
     pub(super) fn unmodified(&self, plan: &GrindingPlan) -> f64 {
-        let of_flank = |flank: Flank| {
-            let [low, high] = extremes(plan.flanks[flank].as_ref()?.target.iter().copied());
-            Some(0.5 * (high - low))
-        };
+        let of_flank = |flank: Flank| Some(half_range(plan.flanks[flank].as_ref()?.target.iter().copied()));
         Flank::BOTH.into_iter().filter_map(of_flank).fold(0.0, f64::max)
     }
 

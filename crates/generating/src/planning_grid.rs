@@ -56,13 +56,11 @@ impl PlanningGrid {
         Self { w, z: self.z.windows(2).flat_map(inside).collect(), ..self.clone() }
     }
 
-    /// The tightest tolerance over that of each place of a map, by flank and grid point; `None` without a map.
-    pub fn weights(&self, map: Option<&ToleranceMap>) -> Sides<Option<Vec<f64>>> {
-        Sides::from_fn(|flank| {
-            let (map, tightest) = (map?, map?.tightest());
-            let row = |&w: &f64| self.z.iter().map(move |&z| tightest / map.value(w, z));
-            Some(self.w[flank].iter().flat_map(row).collect())
-        })
+    /// The tightest tolerance over that of each place of a map, by flank and grid point; 1 everywhere without a map.
+    pub fn weights(&self, map: Option<&ToleranceMap>) -> Sides<Vec<f64>> {
+        let tightest = map.map_or(1.0, ToleranceMap::tightest);
+        let weight = |w: f64, z: f64| map.map_or(1.0, |map| tightest / map.value(w, z));
+        self.w.map(|_, w| w.iter().flat_map(|&w| self.z.iter().map(move |&z| weight(w, z))).collect())
     }
 
     /// Target values on one flank, normal, mm.
@@ -166,11 +164,11 @@ impl GroundError {
     }
 
     /// Largest |error| of all flanks, mm, each weighed by what [`PlanningGrid::weights`] gives for its place.
-    pub fn weighed_max(&self, weights: &Sides<Option<Vec<f64>>>) -> f64 {
+    pub fn weighed_max(&self, weights: &Sides<Vec<f64>>) -> f64 {
         let of_flank = |flank: Flank| {
-            let (errors, weights) = (self.error[flank].as_ref()?, weights[flank].as_ref());
-            let weight = |k: usize| weights.map_or(1.0, |weights| weights[k]);
-            Some(errors.iter().enumerate().map(|(k, e)| e.abs() * weight(k)).fold(0.0, f64::max))
+            let weighed =
+                self.error[flank].as_ref()?.iter().zip(&weights[flank]).map(|(e, weight)| e.abs() * weight);
+            Some(weighed.fold(0.0, f64::max))
         };
         Flank::BOTH.into_iter().filter_map(of_flank).fold(0.0, f64::max)
     }

@@ -6,7 +6,8 @@ use super::planning_grid::GroundError;
 use super::precompensation::{ROUNDS, precompensate};
 use super::{
     DressingLimits, DressingRows, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup,
-    IdealPlan, PlanGauge, PlanningGrid, ProfilePlace, ProfilePolicy, SeriesRule, Tool, radial_residual,
+    IdealPlan, IdealWorm, PlanGauge, PlanningGrid, ProfilePlace, ProfilePolicy, SeriesRule, Tool,
+    radial_residual,
 };
 use contact::FOLD_BEGINS;
 use foundation::geometry::{Flank, Sides};
@@ -259,14 +260,11 @@ impl Rule<'_> {
         }
         let mut dressing_share: f64 = 0.0;
         let mut worst = (0, 0.0);
+        let makes_profile =
+            |worm: &Option<IdealWorm>| worm.as_ref().is_some_and(|worm| asks_corrections(worm, policy));
+        let corrected = ratio != 0.0 || plan.worms.iter().any(|(_, worm)| makes_profile(worm));
         let corrections = match &self.setup.tool {
-            Tool::Dressed(_)
-                if ratio != 0.0
-                    || plan
-                        .worms
-                        .iter()
-                        .any(|(_, worm)| worm.as_ref().is_some_and(|w| asks_corrections(w, policy))) =>
-            {
+            Tool::Dressed(_) if corrected => {
                 let tool = dresser_of_plan(self.setup, &plan, policy)?;
                 sample_corrections(self.setup, &plan, &tool, &self.which(), policy, SCORE_NODES)?
             }

@@ -126,8 +126,7 @@ impl<'a> Compensation<'a> {
          -> Result<Rows, DressingError> {
             let mut rows = (DVector::zeros(hints.len()), DMatrix::zeros(hints.len(), 4));
             for (i, (condition, hint)) in conditions.zip(hints).enumerate() {
-                let made = condition.made(self.tool, &dk, hint)?;
-                let (value, gradient) = (made.value - condition.wanted(), made.gradient);
+                let (value, gradient) = condition.row(self.tool, &dk, hint)?;
                 rows.0[i] = value;
                 for j in 0..4 {
                     rows.1[(i, j)] = gradient[j] * scale[j];

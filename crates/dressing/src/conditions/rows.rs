@@ -137,6 +137,20 @@ impl Condition {
         }
     }
 
+    /// Residual and gradient at DK, as [`Condition::made`] has them.
+    ///
+    /// # Errors
+    /// Those of the forward calculation.
+    pub(crate) fn row(
+        &self,
+        tool: &DresserTool,
+        dk: &DressingCorrection,
+        hint: &mut f64,
+    ) -> Result<(f64, [f64; 4]), DressingError> {
+        let made = self.made(tool, dk, hint)?;
+        Ok((made.value - self.wanted(), made.gradient))
+    }
+
     /// What the row comes to at DK. `hint` holds the profile parameter of a pitch point: that of a correction nearby, or NaN.
     ///
     /// # Errors

@@ -57,8 +57,8 @@ impl<'a> ConditionSolver<'a> {
         condition: &Condition,
         dk: &DressingCorrection,
     ) -> Result<(f64, [f64; 4]), DressingError> {
-        let made = condition.made(self.tool, dk, &mut { f64::NAN })?;
-        Ok((made.value - condition.wanted(), made.gradient))
+        let mut from_afar = f64::NAN;
+        condition.row(self.tool, dk, &mut from_afar)
     }
 
     /// Residuals and Jacobian (columns phi_S, gamma, d, v_y) of four rows at DK.
@@ -142,7 +142,7 @@ impl<'a> ConditionSolver<'a> {
         if sigma[3].is_nan() || sigma[3] < SINGULAR * sigma[0] {
             return Err(DressingError::Singular { ratio: sigma[3] / sigma[0] });
         }
-        let x = Vector4::from_fn(|j, _| start[j] / self.scale[j]);
+        let x = self.scaled(start);
         match self.newton(four, x, hints) {
             Ok(dk) if self.margin(&dk).0 >= 0.0 => Ok(dk),
             Err(NewtonError::Singular { ratio }) => Err(DressingError::Singular { ratio }),
@@ -167,6 +167,10 @@ impl<'a> ConditionSolver<'a> {
             return invalid("axis limit", *low, "the smallest value first, no NaN");
         }
         Condition::check_all(conditions.iter(), self.tool)
+    }
+
+    fn scaled(&self, dk: &DressingCorrection) -> Vector4<f64> {
+        Vector4::from_fn(|j, _| dk[j] / self.scale[j])
     }
 
     fn correction(&self, x: &Vector4<f64>) -> DressingCorrection {
@@ -240,8 +244,7 @@ impl<'a> ConditionSolver<'a> {
             let residual = Vector4::from_fn(|i, _| made[i].value - there[i].wanted());
             alike.then_some((residual, jacobian))
         };
-        let x = Vector4::from_fn(|j, _| start[j] / self.scale[j]);
-        self.root(x, at).ok().filter(|dk| self.margin(dk).0 >= 0.0)
+        self.root(self.scaled(start), at).ok().filter(|dk| self.margin(dk).0 >= 0.0)
     }
 
     /// Follows the solution while the residual at the start is scaled from 1 to 0; the continuation parameter is the share removed.

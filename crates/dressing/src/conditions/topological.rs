@@ -138,8 +138,9 @@ pub fn solve_dressing_motion(
     solve_conditions_along(&ConditionSolver::new(tool, reference_radius), plan, &rows)
 }
 
-/// Kept for conditions that move over the width: no command reaches it yet. What the exact envelope of a motion leaves beyond the wanted modification at worm points (w, b), mm normal: the part of the
-/// target that three points and one line of contact cannot follow, and what the motion itself adds.
+/// What the exact envelope of a motion leaves beyond the wanted modification at worm points (w, b), mm normal: the part of the
+/// target that three points and one line of contact cannot follow, and what the motion itself adds. Kept for conditions that move
+/// over the width: no command reaches it yet.
 ///
 /// # Errors
 /// [`DressingError::OutOfDresser`] for a point that the motion does not dress.

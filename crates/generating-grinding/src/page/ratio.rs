@@ -58,7 +58,7 @@ pub(super) fn choice(settings: &SettingsResult) -> Result<Vec<Block>, ChartError
 
 /// Deviation and share of the limits over the used width of the worm.
 fn trade(candidates: &[CandidateResult], chosen: f64) -> Result<Svg, ChartError> {
-    let panel = |y_title: &str, scale: YScale, value: fn(&CandidateResult) -> f64| {
+    let panel = |y_title: &str, value: fn(&CandidateResult) -> f64| {
         let series = |name: &str, which: &dyn Fn(&&CandidateResult) -> bool| {
             let of: Vec<&CandidateResult> = candidates.iter().filter(which).collect();
             let x = of.iter().map(|c| c.worm_occupation_mm).collect();
@@ -72,16 +72,14 @@ fn trade(candidates: &[CandidateResult], chosen: f64) -> Result<Svg, ChartError>
         all.extend(series("allowed", &|c| c.refused.is_none()));
         all.extend(series("not allowed", &|c| c.refused.is_some()));
         all.push(Series::rings("chosen", ringed.take(1).collect()));
-        Panel { y_title: y_title.to_owned(), least_span: 0.0, scale, series: all }
+        Panel { y_title: y_title.to_owned(), least_span: 0.0, scale: YScale::Logarithmic, series: all }
     };
     line_chart(&LineChart {
         title: "Diagonal ratios: what they leave and what they use".to_owned(),
         x_title: "Used width of the worm [mm]".to_owned(),
         panels: vec![
-            panel("Deviation of the ideal worm [µm]", YScale::Logarithmic, |c| {
-                c.ideal_error_um.max(LEAST_SHOWN)
-            }),
-            panel("Largest share of a limit", YScale::Logarithmic, |c| c.score.max(LEAST_SHOWN)),
+            panel("Deviation of the ideal worm [µm]", |c| c.ideal_error_um.max(LEAST_SHOWN)),
+            panel("Largest share of a limit", |c| c.score.max(LEAST_SHOWN)),
         ],
     })
 }

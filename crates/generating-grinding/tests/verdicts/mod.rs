@@ -1,5 +1,6 @@
 //! Verdicts of grinding that a look at the flank alone would give wrong, and the causes that a miss names.
 
+use super::truck_gear::TRUCK_GEAR;
 use foundation::numerics::Silent;
 use generating_grinding::job::LoadedJob;
 use generating_grinding::workflow::{JobResult, plan_job};
@@ -212,16 +213,7 @@ fn a_plan_that_its_simulation_contradicts_is_not_met() {
 [job]
 name = "linear"
 process = "generating-grinding"
-[gear]
-teeth = 31
-normal_module = 4.0
-normal_pressure_angle_deg = 20.0
-helix_angle_deg = 18.0
-profile_shift = 0.2
-face_width = 42.0
-tip_diameter = 139.9
-root_diameter = 121.9
-form_diameter = 125.5
+{TRUCK_GEAR}
 [target]
 tolerance_um = 2.0
 modifications = [

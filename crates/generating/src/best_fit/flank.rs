@@ -34,7 +34,7 @@ pub struct FlankFit<'a> {
     w: &'a [f64],
     z: &'a [f64],
     wanted: &'a [f64],
-    weights: Option<&'a [f64]>,
+    weights: &'a [f64],
     rows: Rows,
     tolerance: f64,
     axes: &'a AxisShares,
@@ -69,8 +69,8 @@ impl FlankCommand {
 
 impl<'a> FlankFit<'a> {
     /// `wanted` (transverse, mm) on the grid `w` x `z`, row-major, by the functions of `class` under the ratio of `shift`, with `intervals`
-    /// over the flank. `weights` are the tightest tolerance over that of each place. `tolerance` is transverse, mm; `limits` are the lengths of roll between which contacts are kept on
-    /// the worm.
+    /// over the flank. `weights` are the tightest tolerance over that of each place. `tolerance` is transverse, mm; `limits` are the lengths
+    /// of roll between which contacts are kept on the worm.
     ///
     /// # Errors
     /// `DirectionAlongPath`, `InvalidSpline`, `DegenerateDirection` where bodies have no contact of second order.
@@ -79,7 +79,7 @@ impl<'a> FlankFit<'a> {
         flank: Flank,
         (class, ratio, shift): (FunctionClass, f64, &MotionLaw),
         (w, z): (&'a [f64], &'a [f64]),
-        (wanted, weights): (&'a [f64], Option<&'a [f64]>),
+        (wanted, weights): (&'a [f64], &'a [f64]),
         (tolerance, axes, limits): (f64, &'a AxisShares, Option<[f64; 2]>),
         intervals: usize,
     ) -> Result<Self, GeneratingError> {
@@ -228,8 +228,7 @@ impl<'a> FlankFit<'a> {
 
     /// The largest of some distances on the grid, each by its weight.
     fn largest(&self, distances: impl Iterator<Item = f64>) -> f64 {
-        let weight = |k: usize| self.weights.map_or(1.0, |weights| weights[k]);
-        distances.enumerate().map(|(k, off)| off.abs() * weight(k)).fold(0.0, f64::max)
+        distances.zip(self.weights).map(|(off, weight)| off.abs() * weight).fold(0.0, f64::max)
     }
 
     /// The functions of a command with their coordinates; `off` is what it leaves, transverse, mm.

@@ -30,8 +30,8 @@ pub struct BestFitTask<'a> {
     /// Intervals of every function over the flank.
     intervals: usize,
     wanted: Sides<Vec<f64>>,
-    /// The tightest tolerance over that of each place, where it is not the same everywhere.
-    weights: Sides<Option<Vec<f64>>>,
+    /// The tightest tolerance over that of each place.
+    weights: Sides<Vec<f64>>,
     given: Sides<Vec<Modification>>,
     free_profile: bool,
     /// Normal, mm.
@@ -96,8 +96,8 @@ fn with_natural_twist(
 
 impl<'a> BestFitTask<'a> {
     /// Targets on a grid, with a map of the tolerance or the same everywhere; with `natural_twist` of each target what its traces through the
-    /// middle become without shift. Functions with `intervals` over the flank; `free_profile`: a dresser is made for them; `on_worm`: contacts are kept
-    /// on the finished part of the worm.
+    /// middle become without shift. Functions with `intervals` over the flank; `free_profile`: a dresser is made for them; `on_worm`:
+    /// contacts are kept on the finished part of the worm.
     ///
     /// # Errors
     /// [`GeneratingError::NoFlank`]; evaluation errors of the targets.
@@ -169,7 +169,7 @@ impl<'a> BestFitTask<'a> {
                 flank,
                 (self.class(ratio), ratio, &shift),
                 (&self.grid.w[flank], &self.grid.z),
-                (&self.wanted[flank], self.weights[flank].as_deref()),
+                (&self.wanted[flank], &self.weights[flank]),
                 (self.tolerance / self.setup.lines[flank].cos_b2, &self.axes[flank], self.reach[flank]),
                 self.intervals,
             )

@@ -98,8 +98,8 @@ pub struct FlankProgramme<'a> {
     pub row: usize,
     /// The command that is wanted at each of them, transverse, mm.
     pub wanted: &'a [f64],
-    /// The tightest tolerance over that of each place, where it is not the same everywhere.
-    pub weights: Option<&'a [f64]>,
+    /// The tightest tolerance over that of each place.
+    pub weights: &'a [f64],
     /// Transverse, mm; the tightest.
     pub tolerance: f64,
     /// What the functions are.
@@ -139,8 +139,7 @@ impl FlankProgramme<'_> {
     fn stay_near(&self, programme: &mut ConeProgramme) {
         let excess = self.bases.columns();
         let mut row = Vec::new();
-        for (k, ((place, _), wanted)) in self.places.iter().zip(self.wanted).enumerate() {
-            let weight = self.weights.map_or(1.0, |weights| weights[k]);
+        for (((place, _), wanted), weight) in self.places.iter().zip(self.wanted).zip(self.weights) {
             let wanted = weight * wanted / self.tolerance;
             self.bases.row(place, &mut row);
             row.iter_mut().for_each(|(_, a)| *a *= weight);

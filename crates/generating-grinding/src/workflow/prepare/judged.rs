@@ -76,23 +76,26 @@ fn tolerance_on_traces(
     let row = |&(_, on_helix): &(f64, bool)| {
         let at =
             |&(_, on_profile): &(f64, bool)| 1e-3 * if on_helix || on_profile { tolerance } else { beside };
-        z.0.iter().map(at).collect()
+        z.all.iter().map(at).collect()
     };
-    let table = w.0.iter().map(row).collect();
-    let places = |of: &Places| of.0.iter().map(|(x, _)| *x).collect();
+    let table = w.all.iter().map(row).collect();
+    let places = |of: &Places| of.all.iter().map(|(x, _)| *x).collect();
     let listed = |at: &[f64]| at.iter().map(|x| shown_number(*x)).collect::<Vec<_>>().join(", ");
     let words = format!(
         "helix traces at w = {} mm, profile traces at z = {} mm; {} um beside them",
-        listed(&w.1),
-        listed(&z.1),
+        listed(&w.traces),
+        listed(&z.traces),
         shown_number(beside)
     );
     let map = ToleranceMap::new(places(&w), places(&z), table);
     map.map(|map| (map, Some(words))).map_err(|e| modification_finding(&e, "target.traces"))
 }
 
-/// Places in one direction, ascending, and whether they belong to a trace; with the traces.
-struct Places(Vec<(f64, bool)>, Vec<f64>);
+/// Places in one direction, ascending, each with whether it belongs to a trace, and the traces.
+struct Places {
+    all: Vec<(f64, bool)>,
+    traces: Vec<f64>,
+}
 
 impl Places {
     fn new(key: &str, given: Option<&[f64]>, range: [f64; 2], points: usize) -> Result<Self, Diagnostic> {
@@ -117,7 +120,7 @@ impl Places {
         places.extend([from - step, to + step]);
         places.sort_by(f64::total_cmp);
         places.dedup_by(|b, a| *b - *a < 0.25 * step);
-        Ok(Self(places.into_iter().map(|x| (x, near(x))).collect(), at.to_vec()))
+        Ok(Self { all: places.into_iter().map(|x| (x, near(x))).collect(), traces: at.to_vec() })
     }
 }
 
@@ -129,7 +132,7 @@ mod tests {
     fn grid_points_next_to_a_trace_are_on_it_and_no_others() {
         // 11 points over 0..10, traces at 5 and 7.4: 5 and 7 lie within half a step.
         let places = Places::new("helix_w_mm", Some(&[5.0, 7.4]), [0.0, 10.0], 11).unwrap();
-        let (x, tight): (Vec<f64>, Vec<bool>) = places.0.iter().copied().unzip();
+        let (x, tight): (Vec<f64>, Vec<bool>) = places.all.iter().copied().unzip();
         let on = |at: f64| {
             let map = ToleranceMap::new(
                 x.clone(),
