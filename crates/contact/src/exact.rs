@@ -296,27 +296,57 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         })
     }
 
-    /// Solves on the grid `w` x `z`, row-major `[w][z]`; each point starts from the correction that its neighbours in the
-    /// row (the first of a row: in the column) let expect.
+    /// Solves on the grid `w` x `z`, row-major `[w][z]`, from its middle outwards: modifications are large at the ends. Each point starts from
+    /// the correction that its neighbours on the way from the middle of its row (of a middle: of the column) let expect.
     ///
     /// # Errors
-    /// Those of [`ExactContact::solve`], at the first point that fails.
+    /// Those of [`ExactContact::solve`], at a point that fails.
     pub fn solve_grid(&self, w: &[f64], z: &[f64]) -> Result<Vec<ContactSolution>, ContactError> {
-        let mut solutions = Vec::with_capacity(w.len() * z.len());
-        let mut column = Trail::default();
-        for &w_2 in w {
-            let (mut row, mut unmodified) = (Trail::default(), None);
-            for (j, &z_2) in z.iter().enumerate() {
-                let start = if j == 0 { column.expected(w_2) } else { row.expected(z_2) };
-                let (solution, delta) = self.solve_from(w_2, z_2, start.as_ref(), &mut unmodified)?;
-                solutions.push(solution);
-                row.push(z_2, delta);
-                if j == 0 {
-                    column.push(w_2, delta);
+        let rows: Vec<usize> = (0..w.len()).collect();
+        let (down, up) = rows.split_at(w.len() / 2);
+        let mut solved: Vec<Vec<ContactSolution>> = vec![Vec::new(); w.len()];
+        let mut middle = None;
+        for way in [up.to_vec(), down.iter().rev().copied().collect()] {
+            let mut column = Trail::from(middle);
+            for i in way {
+                let (row, at_middle) = self.solve_row(w[i], z, &column)?;
+                solved[i] = row;
+                if let Some(delta) = at_middle {
+                    middle = middle.or(Some((w[i], delta)));
+                    column.push(w[i], delta);
                 }
             }
         }
-        Ok(solutions)
+        Ok(solved.into_iter().flatten().collect())
+    }
+
+    /// Solves a row of a grid, with the correction found in its middle.
+    fn solve_row(
+        &self,
+        w_2: f64,
+        z: &[f64],
+        column: &Trail,
+    ) -> Result<(Vec<ContactSolution>, Option<State>), ContactError> {
+        let (left, right) = z.split_at(z.len() / 2);
+        let mut unmodified = None;
+        let mut solve = |trail: &mut Trail, start: Option<State>, z_2: f64| {
+            let (solution, delta) = self.solve_from(w_2, z_2, start.as_ref(), &mut unmodified)?;
+            trail.push(z_2, delta);
+            Ok::<_, ContactError>((solution, delta))
+        };
+        let (mut row, mut middle, mut trail) = (Vec::with_capacity(z.len()), None, Trail::default());
+        for &z_2 in right {
+            let start = if middle.is_none() { column.expected(w_2) } else { trail.expected(z_2) };
+            let (solution, delta) = solve(&mut trail, start, z_2)?;
+            row.push(solution);
+            middle = middle.or(Some((z_2, delta)));
+        }
+        let mut trail = Trail::from(middle);
+        for &z_2 in left.iter().rev() {
+            let start = trail.expected(z_2);
+            row.insert(0, solve(&mut trail, start, z_2)?.0);
+        }
+        Ok((row, middle.map(|(_, delta)| delta)))
     }
 
     /// Derivatives of f_n2 at a solution, exact at finite modification.
@@ -366,6 +396,12 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
 /// The last corrections along a grid line and where the next is expected.
 #[derive(Default)]
 struct Trail(Vec<(f64, State)>);
+
+impl From<Option<(f64, State)>> for Trail {
+    fn from(first: Option<(f64, State)>) -> Self {
+        Self(first.into_iter().collect())
+    }
+}
 
 impl Trail {
     fn push(&mut self, at: f64, delta: State) {

@@ -5,7 +5,9 @@ use super::dressed::{DRESSING_MARGIN, DressedFlank, FinishedArea, dress_flanks, 
 use super::least_squares::FitNorm;
 use super::planning_grid::GroundError;
 use super::precompensation::{FREE_ROUNDS, ROUNDS, corrected, precompensate};
-use super::ratio::{Candidate, FlankResidual, LEAST_DETERMINANT, NoPlan, RatioChoice, RatioReason, Rule};
+use super::ratio::{
+    Candidate, FlankResidual, LEAST_DETERMINANT, NoPlan, RatioChoice, RatioReason, Rule, Search,
+};
 use super::{
     DressingLimits, DressingRows, EqualSwivel, FeedLaw, FlankTarget, FreeCoefficients, GeneratingError,
     GrindingSetup, IdealPlan, MadeFlank, PlanGauge, PlanningGrid, Prefer, ProfilePlace, ProfilePolicy,
@@ -167,6 +169,7 @@ impl PlanTask<'_> {
             dressing: self.dressing,
             least_determinant: self.least_determinant,
             tolerance_map: self.tolerance_map.as_ref(),
+            search: Search::Scan,
         }
     }
 
@@ -191,12 +194,12 @@ impl PlanTask<'_> {
     /// When nothing is allowed: the reason of the best candidate. A given ratio is refused only if it cannot be evaluated or
     /// needs more worm than there is.
     pub fn choose(&self, grid: &PlanningGrid) -> Result<RatioChoice, GeneratingError> {
-        self.choose_or_tried(grid).map_err(|refused| refused.error)
+        self.choose_or_tried(grid, Search::Scan).map_err(|refused| refused.error)
     }
 
     /// As [`PlanTask::choose`]; a refusal brings along what was tried.
-    fn choose_or_tried(&self, grid: &PlanningGrid) -> Result<RatioChoice, Box<NoPlan>> {
-        let rule = self.rule(grid);
+    fn choose_or_tried(&self, grid: &PlanningGrid, search: Search) -> Result<RatioChoice, Box<NoPlan>> {
+        let rule = Rule { search, ..self.rule(grid) };
         let first = *self.places.first().ok_or(GeneratingError::NoFlank)?;
         // Without shift no motion makes a profile but that of dressing.
         let place = if self.corrects_profile_without_shift() { ProfilePlace::Correction } else { first };
@@ -318,8 +321,12 @@ impl PlanTask<'_> {
     /// # Errors
     /// [`NoPlan`].
     pub fn plan_by_rules(&self) -> Result<GrindingPlan, Box<NoPlan>> {
+        self.ruled(Search::Scan)
+    }
+
+    fn ruled(&self, search: Search) -> Result<GrindingPlan, Box<NoPlan>> {
         let grid = self.planning_grid();
-        let choice = self.choose_or_tried(&grid)?;
+        let choice = self.choose_or_tried(&grid, search)?;
         if let Some(plan) = self.cheaper(&grid, &choice) {
             return Ok(plan);
         }
@@ -355,14 +362,23 @@ impl PlanTask<'_> {
     /// # Errors
     /// [`NoPlan`].
     pub fn plan_or_tried(&self) -> Result<GrindingPlan, Box<NoPlan>> {
-        let ruled = self.plan_by_rules();
-        if !self.may_be_fitted() || ruled.as_ref().is_ok_and(|plan| self.is_sound(plan)) {
+        if !self.may_be_fitted() {
+            return self.plan_by_rules();
+        }
+        // A scan by the rules takes longer than a fit and seldom finds what serves a target with edges.
+        let scans_later = self.ratio.is_none() && !self.is_smooth();
+        let mut ruled = self.ruled(if scans_later { Search::Named } else { Search::Scan });
+        if ruled.as_ref().is_ok_and(|plan| self.is_sound(plan)) || ruled.is_err() && self.asks_too_much() {
             return ruled;
         }
-        if ruled.is_err() && self.asks_too_much() {
-            return ruled;
+        let fitted = self.plan_by_fit(&ruled);
+        if scans_later {
+            match fitted {
+                Some(fitted) if self.strain_of(&fitted) <= HALF * self.tolerance => return Ok(fitted),
+                _ => ruled = self.plan_by_rules(),
+            }
         }
-        match (self.plan_by_fit(&ruled), ruled) {
+        match (fitted, ruled) {
             (Some(fitted), Ok(ruled)) if self.strain_of(&fitted) < self.strain_of(&ruled) => Ok(fitted),
             (Some(fitted), Err(refused)) if self.deviation(&fitted) <= self.unmodified(&fitted) => {
                 Ok(GrindingPlan { instead_of: Some(refused), ..fitted })
@@ -390,7 +406,7 @@ impl PlanTask<'_> {
     }
 
     /// What speaks against a plan: its deviation, mm, and more than any deviation a contact beyond the least determinant ratio.
-    fn strain_of(&self, plan: &GrindingPlan) -> f64 {
+    pub(super) fn strain_of(&self, plan: &GrindingPlan) -> f64 {
         if plan.determinant < self.least_determinant { f64::INFINITY } else { self.deviation(plan) }
     }
 

@@ -1,13 +1,13 @@
 //! Plans by a best fit to the whole target (`docs/mathematics/best-fit.md`), for targets that the closed decomposition misses or refuses.
 
-use super::best_fit::{BestFit, BestFitTask, Contact, Contacts, Expected};
+use super::best_fit::{BestFit, BestFitTask, Contact, Contacts, Expected, Within};
 use super::dressed::{DRESSING_MARGIN, finished_rolls};
 use super::plan::{Equipped, LARGEST_DRESSING_MARGIN, PlanTask, Records};
 use super::planning_grid::GroundError;
 use super::ratio::{CORRECTION_AXES, Candidate, FlankResidual, NoPlan, RatioChoice, RatioReason};
 use super::{
-    DressingLimits, DressingRows, FeedLaw, GeneratingError, GrindingPlan, IdealPlan, PlanGauge, PlannedTool,
-    PlanningGrid, Prefer, ProfilePlace, ProfilePolicy, SeriesRule, Tool,
+    DressingRows, FeedLaw, GeneratingError, GrindingPlan, IdealPlan, PlanGauge, PlannedTool, PlanningGrid,
+    Prefer, ProfilePlace, ProfilePolicy, SeriesRule, Tool,
 };
 use contact::{ContactError, ModifiedThread};
 use foundation::geometry::{Flank, Sides};
@@ -28,9 +28,13 @@ const ROUNDS: usize = 12;
 const DRESSED_ROUNDS: usize = 4;
 /// A round ends the correction at this share of the tolerance.
 const SETTLED: f64 = 0.25;
-/// Halvings of a step that does not come nearer, at most, and the share of the last distance below which a round within the tolerance is worth
-/// another.
-const HALVINGS: usize = 4;
+/// Price of moving the contact, what it grows by where a round does not come nearer, and falls by where it does; such rounds one after the other,
+/// at most; and the share of the last distance below which a round within the tolerance is worth another.
+const HOLD: f64 = 10.0;
+const TIGHTER: f64 = 10.0;
+const LOOSER: f64 = 3.0;
+const FAILURES: usize = 4;
+const LARGEST_HOLD: f64 = 1e5;
 const WORTH: f64 = 0.9;
 /// A plan below this share of the tolerance needs no further ratio.
 const GOOD: f64 = 0.5;
@@ -48,6 +52,10 @@ const MARGIN_OF_CONTACTS: f64 = 3.0;
 const NARROWER: f64 = 0.9;
 /// The same where no dressing motion is found.
 const WELL_NARROWER: f64 = 0.3;
+/// Fits of one ratio with narrower limits, at most.
+const RETRIES: usize = 2;
+/// Share of the bend that is left to a fit whose envelope folds though it is looked at closely.
+const LESS_BENT: f64 = 0.4;
 /// A fit that leaves more than this of what an unmodified flank would is hardly one.
 const OF_UNMODIFIED: f64 = 0.5;
 /// Tolerances within which the command stays near the target where none within one can be carried out.
@@ -74,6 +82,32 @@ fn far_apart(a: f64, b: f64) -> bool {
     a * b < 0.0 || a.abs().max(b.abs()) > APART * a.abs().min(b.abs())
 }
 
+/// Limits for a fit that follows one beyond them: the first order says too little of large modifications, and places of a grid of those between.
+/// `None` where no limit is to blame.
+fn narrower(error: &GeneratingError, mut within: Within) -> Option<Within> {
+    match error {
+        GeneratingError::AxisLimit { axis, value, limit, .. } => {
+            let by = NARROWER * limit / value;
+            match CORRECTION_AXES.iter().position(|known| known == axis) {
+                Some(j) => within.axes.correction[j] *= by,
+                None => within.axes.delta_d *= by,
+            }
+        }
+        // Far from where the first order holds.
+        GeneratingError::Dressing(_) => {
+            within.axes.correction.iter_mut().for_each(|limit| *limit *= WELL_NARROWER);
+        }
+        GeneratingError::Contact(ContactError::WormSurfaceMissing { .. }) => within.on_worm = true,
+        GeneratingError::EnvelopeBroken { .. }
+        | GeneratingError::Contact(ContactError::Undercut { .. } | ContactError::NotSettled { .. }) => {
+            within.bend *= if within.closely { LESS_BENT } else { 1.0 };
+            within.closely = true;
+        }
+        _ => return None,
+    }
+    Some(within)
+}
+
 impl PlanTask<'_> {
     /// Whether the best fit knows the bodies and rules of this task.
     pub(super) fn may_be_fitted(&self) -> bool {
@@ -96,19 +130,19 @@ impl PlanTask<'_> {
 
     /// The best plan by fits at some ratios; `None` where none can be carried out. `ruled` is what the rules came to.
     pub(super) fn plan_by_fit(&self, ruled: &Result<GrindingPlan, Box<NoPlan>>) -> Option<GrindingPlan> {
-        let as_near = |grid, near: f64, limits: DressingLimits, on_worm: bool| {
-            let rules = (near * self.tolerance, limits, self.dressing, on_worm);
+        let task_on = |grid, within: Within| {
             let (map, twist) = (self.tolerance_map.as_ref(), self.keeps_natural_twist());
-            BestFitTask::new(self.setup, (&self.targets, map, twist), grid, self.free_dresser, rules).ok()
+            let asked = (&self.targets, map, twist);
+            BestFitTask::new(self.setup, asked, grid, (self.free_dresser, self.dressing), within).ok()
         };
-        let within = |grid, limits: DressingLimits, on_worm: bool| as_near(grid, 1.0, limits, on_worm);
-        let fits = |grid| within(grid, self.limits, false);
+        let first = Within::new(self.tolerance, self.limits);
+        let fits = |grid| task_on(grid, first);
         let scan = PlanningGrid::new(self.setup, SCAN_GRID[0], SCAN_GRID[1]);
         let ratios = match self.ratio {
             Some(ratio) => vec![Expected { ratio, cost: 0.0 }],
             None => fits((&scan, SCAN_INTERVALS))?.ratios(self.prefer),
         };
-        let grid = PlanningGrid::new(self.setup, FIT_GRID[0], FIT_GRID[1]);
+        let grid = PlanningGrid::new(self.setup, FIT_GRID[0], FIT_GRID[1]).closer_at_ends();
         let task = fits((&grid, FIT_INTERVALS))?;
         let mut best: Option<GrindingPlan> = None;
         let mut tried: Vec<f64> = Vec::new();
@@ -122,14 +156,17 @@ impl PlanTask<'_> {
             let Some(&Expected { ratio, .. }) = ratios.iter().find(next) else { break };
             tried.push(ratio);
             let mut fitted = self.fitted_at(&task, &grid, ratio, ruled);
-            if let Err(error) = &fitted
-                && let Some((narrower, on_worm)) = self.narrower(error)
-                && let Some(task) = within((&grid, FIT_INTERVALS), narrower, on_worm)
-            {
+            let mut within = first;
+            for _ in 0..if tried.len() <= SOUGHT { RETRIES } else { 1 } {
+                let Some(narrower) = fitted.as_ref().err().and_then(|error| narrower(error, within)) else {
+                    break;
+                };
+                let Some(task) = task_on((&grid, FIT_INTERVALS), narrower) else { break };
+                within = narrower;
                 fitted = self.fitted_at(&task, &grid, ratio, ruled);
             }
             let Ok(plan) = fitted else { continue };
-            let better = best.as_ref().is_none_or(|known| self.deviation(&plan) < self.deviation(known));
+            let better = best.as_ref().is_none_or(|known| self.strain_of(&plan) < self.strain_of(known));
             if better {
                 best = Some(plan);
             }
@@ -138,7 +175,7 @@ impl PlanTask<'_> {
                 Prefer::Worm | Prefer::Time if tried.len() < SOUGHT => GOOD,
                 Prefer::Worm | Prefer::Time => WITHIN,
             };
-            if best.as_ref().is_some_and(|known| self.deviation(known) <= enough * self.tolerance) {
+            if best.as_ref().is_some_and(|known| self.strain_of(known) <= enough * self.tolerance) {
                 break;
             }
         }
@@ -153,31 +190,11 @@ impl PlanTask<'_> {
         }
         let nearer = |a: &GrindingPlan, b: &GrindingPlan| self.deviation(a).total_cmp(&self.deviation(b));
         let further = FURTHER.into_iter().find_map(|near| {
-            let task = as_near((&grid, FIT_INTERVALS), near, self.limits, true)?;
+            let within = Within { tolerance: near * self.tolerance, on_worm: true, ..first };
+            let task = task_on((&grid, FIT_INTERVALS), within)?;
             tried.iter().filter_map(|&ratio| self.fitted_at(&task, &grid, ratio, ruled).ok()).min_by(nearer)
         });
         best.into_iter().chain(further).min_by(nearer)
-    }
-
-    /// Limits with which the first order keeps an axis that went beyond its own, since it answers to large modifications more than it says; and
-    /// whether contacts are to be kept on the worm.
-    fn narrower(&self, error: &GeneratingError) -> Option<(DressingLimits, bool)> {
-        let mut limits = self.limits;
-        let (axis, by) = match error {
-            GeneratingError::AxisLimit { axis, value, limit, .. } => (axis, NARROWER * limit / value),
-            // Far from where the first order holds.
-            GeneratingError::Dressing(_) => {
-                limits.correction.iter_mut().for_each(|limit| *limit *= WELL_NARROWER);
-                return Some((limits, false));
-            }
-            GeneratingError::Contact(ContactError::WormSurfaceMissing { .. }) => return Some((limits, true)),
-            _ => return None,
-        };
-        match CORRECTION_AXES.iter().position(|known| known == axis) {
-            Some(j) => limits.correction[j] *= by,
-            None => limits.delta_d *= by,
-        }
-        Some((limits, false))
     }
 
     /// The best fit at one ratio, carried out.
@@ -226,7 +243,12 @@ impl PlanTask<'_> {
             failed,
         };
         let records = Records { ideal: Sides::both(ideal_record), dressed: Sides::both(dressed_record) };
-        self.finish(equipped, choice, policy, grid, records)
+        let plan = self.finish(equipped, choice, policy, grid, records)?;
+        if plan.determinant < self.least_determinant {
+            let (ratio, limit) = (plan.determinant, self.least_determinant);
+            return Err(GeneratingError::EnvelopeBroken { flank: rule.which()[0], ratio, limit });
+        }
+        Ok(plan)
     }
 
     /// The first command with its contacts. Where it folds, a share of what is wanted comes first, and more of it from the contacts of each
@@ -250,7 +272,7 @@ impl PlanTask<'_> {
         let (mut share, mut begun) = first.ok_or(refusal)?;
         for _ in 0..SHARES {
             let mut more = (share + SHARE_STEP).min(1.0);
-            let Some(mut fit) = begun.fit.next(self.setup, &begun.contacts, more) else { break };
+            let Some(mut fit) = begun.fit.next(self.setup, &begun.contacts, (more, HOLD)) else { break };
             let next = loop {
                 let carried = task.plan(&fit).and_then(carried_out);
                 if let Ok((made, contacts)) = carried {
@@ -285,23 +307,26 @@ impl PlanTask<'_> {
         };
         let mut off = judge(&mut fit, &contacts);
         let mut record = vec![off];
-        let (mut better, mut halved) = (None, 0);
-        while record.len() <= rounds && halved <= HALVINGS && off > SETTLED * self.tolerance {
-            let Some(next) = better.take().or_else(|| fit.next(self.setup, &contacts, 1.0)) else { break };
-            let mut tried = next;
+        let (mut hold, mut failed) = (HOLD, 0);
+        while record.len() <= rounds && off > SETTLED * self.tolerance && hold <= LARGEST_HOLD {
+            if failed > if off <= GOOD * self.tolerance { 1 } else { FAILURES } {
+                break;
+            }
+            let Some(mut tried) = fit.next(self.setup, &contacts, (1.0, hold)) else { break };
             let carried = task.plan(&tried).and_then(&carried_out).ok();
             let now = carried.as_ref().map(|(_, at)| judge(&mut tried, at));
             record.extend(now);
             match (carried, now) {
                 (Some((tool, at)), Some(now)) if now < off => {
                     let settles = now > WORTH * off && now <= self.tolerance;
-                    (fit, made, contacts, off, halved) = (tried, tool, at, now, 0);
+                    (fit, made, contacts, off) = (tried, tool, at, now);
+                    (hold, failed) = (HOLD.max(hold / LOOSER), 0);
                     if settles {
                         break;
                     }
                 }
-                // Too far for what the contact at the last command tells: half the way.
-                _ => (better, halved) = (Some(fit.halfway(&tried)), halved + 1),
+                // Too far for what the contact at the last command tells.
+                _ => (hold, failed) = (hold * TIGHTER, failed + 1),
             }
         }
         (CarriedOut { fit, made, contacts }, record)

@@ -19,6 +19,9 @@ pub struct PlanningGrid {
     pure_fits: Sides<ClassFit>,
 }
 
+/// Into how many the cells at the ends of the face are divided by [`PlanningGrid::closer_at_ends`].
+const PARTS_AT_ENDS: usize = 4;
+
 impl PlanningGrid {
     /// `nw` x `nz` equidistant points over the evaluation fields.
     pub fn new(setup: &GrindingSetup, nw: usize, nz: usize) -> Self {
@@ -33,6 +36,19 @@ impl PlanningGrid {
         let fits = points.map(|_, p| ClassFit::new(p));
         let pure_fits = points.map(|_, p| ClassFit::without_mixed_terms(p));
         Self { w, z, fits, pure_fits }
+    }
+
+    /// With points closer together at the ends of the face, where contacts run out of the flank and reliefs are deepest.
+    pub(super) fn closer_at_ends(mut self) -> Self {
+        let cells = self.z.len().saturating_sub(1);
+        let closer = |(k, cell): (usize, &[f64])| {
+            let parts = if k == 0 || k + 1 == cells { PARTS_AT_ENDS } else { 1 };
+            let step = (cell[1] - cell[0]) / parts as f64;
+            (0..parts).map(|part| cell[0] + part as f64 * step).collect::<Vec<_>>()
+        };
+        let last = self.z.last().copied();
+        self.z = self.z.windows(2).enumerate().flat_map(closer).chain(last).collect();
+        self
     }
 
     /// Points inside the cells of this grid, off their middles: what waves between the points, whatever its length, shows there.

@@ -13,6 +13,7 @@ use contact::FOLD_BEGINS;
 use foundation::geometry::{Flank, Sides};
 use foundation::modification::ToleranceMap;
 use foundation::numerics::Polynomial2;
+use rayon::prelude::*;
 
 /// What the ideal tool misses of the target on one flank, on the planning grid. Normal, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -122,6 +123,15 @@ pub struct RatioChoice {
     pub failed: Vec<(f64, GeneratingError)>,
 }
 
+/// How far a ratio is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Search {
+    /// The ratios that the target names: those of its lines, 0 and K*.
+    Named,
+    /// And a scan over both signs.
+    Scan,
+}
+
 /// Why there is no plan, with what was judged on the way.
 #[derive(Clone, Debug)]
 pub struct NoPlan {
@@ -179,6 +189,8 @@ pub(super) struct Rule<'a> {
     pub least_determinant: f64,
     /// Where less than the tightest tolerance is asked for.
     pub tolerance_map: Option<&'a ToleranceMap>,
+    /// Which ratios are tried.
+    pub search: Search,
 }
 
 /// Names of the corrections of the dressing motion, in their order.
@@ -477,7 +489,7 @@ impl Rule<'_> {
                 choice.reason = RatioReason::LeadCorrection;
                 return Ok(choice);
             }
-        } else {
+        } else if self.search == Search::Scan {
             let bounds: Vec<f64> = found
                 .iter()
                 .copied()
@@ -503,7 +515,11 @@ impl Rule<'_> {
                 return Ok(choice);
             }
         }
-        match self.scan(&mut choice) {
+        let found = match self.search {
+            Search::Named => Err(refusal_of(&choice)),
+            Search::Scan => self.scan(&mut choice),
+        };
+        match found {
             Ok(()) => Ok(choice),
             Err(error) => {
                 let RatioChoice { candidates, failed, .. } = choice;
@@ -514,10 +530,11 @@ impl Rule<'_> {
 
     fn scan(&self, choice: &mut RatioChoice) -> Result<(), GeneratingError> {
         let step = self.scan_step(&choice.lead_correction);
-        for sign in [-1.0, 1.0] {
-            for k in 0..SCAN {
-                self.try_ratio(sign * scan_size(step, k), choice);
-            }
+        let scanned = |k: usize| if k < SCAN { -scan_size(step, k) } else { scan_size(step, k - SCAN) };
+        let judge = |ratio: f64| (ratio, self.judge(ratio, choice.place));
+        let judged: Vec<_> = (0..2 * SCAN).into_par_iter().map(scanned).map(judge).collect();
+        for (ratio, judged) in judged {
+            record(ratio, judged, choice);
         }
         if let Some(best) = best_of(&choice.candidates).map(|c| c.ratio) {
             foundation::numerics::golden_section(best / step, best * step, GOLDEN, |k| {
@@ -537,30 +554,36 @@ impl Rule<'_> {
                 choice.ratio = best.ratio;
                 Ok(())
             }
-            None => {
-                let least = choice.candidates.iter().min_by(|a, b| a.score().total_cmp(&b.score()));
-                let refusal = least.and_then(|c| c.refusal.clone());
-                Err(refusal
-                    .or_else(|| choice.failed.first().map(|f| f.1.clone()))
-                    .unwrap_or(GeneratingError::NoFlank))
-            }
+            None => Err(refusal_of(choice)),
         }
     }
 
     /// Judges a ratio and records it; the score, infinite if it is not allowed.
     fn try_ratio(&self, ratio: f64, choice: &mut RatioChoice) -> f64 {
-        match self.judge(ratio, choice.place) {
-            Ok(candidate) => {
-                let score = if candidate.refusal.is_none() { candidate.score() } else { f64::INFINITY };
-                choice.candidates.push(candidate);
-                score
-            }
-            Err(error) => {
-                choice.failed.push((ratio, error));
-                f64::INFINITY
-            }
+        record(ratio, self.judge(ratio, choice.place), choice)
+    }
+}
+
+/// Records a judged ratio; the score, infinite if it is not allowed.
+fn record(ratio: f64, judged: Result<Candidate, GeneratingError>, choice: &mut RatioChoice) -> f64 {
+    match judged {
+        Ok(candidate) => {
+            let score = if candidate.refusal.is_none() { candidate.score() } else { f64::INFINITY };
+            choice.candidates.push(candidate);
+            score
+        }
+        Err(error) => {
+            choice.failed.push((ratio, error));
+            f64::INFINITY
         }
     }
+}
+
+/// Why the best of the candidates is not allowed, or why there is none.
+fn refusal_of(choice: &RatioChoice) -> GeneratingError {
+    let least = choice.candidates.iter().min_by(|a, b| a.score().total_cmp(&b.score()));
+    let refusal = least.and_then(|c| c.refusal.clone());
+    refusal.or_else(|| choice.failed.first().map(|f| f.1.clone())).unwrap_or(GeneratingError::NoFlank)
 }
 
 /// |K| of the k-th step of the scan.

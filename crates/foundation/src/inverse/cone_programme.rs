@@ -68,6 +68,8 @@ impl ConeProgramme {
             tol_gap_abs: accuracy,
             tol_gap_rel: accuracy,
             tol_feas: accuracy,
+            iterative_refinement_reltol: 1e-3 * accuracy,
+            iterative_refinement_abstol: 1e-3 * accuracy,
             ..DefaultSettings::default()
         };
         let mut solver = DefaultSolver::new(&p, &self.cost, &a, &right, &cones, settings).ok()?;

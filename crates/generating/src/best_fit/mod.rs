@@ -11,5 +11,7 @@ mod planner;
 mod programme;
 mod ratios;
 mod smoother;
+mod within;
 
 pub(super) use planner::{BestFit, BestFitTask, Contact, Contacts, Expected};
+pub(super) use within::Within;

@@ -10,6 +10,7 @@ use super::super::{
 use super::flank::{FlankCommand, FlankFit};
 use super::programme::AxisShares;
 use super::ratios::{candidates, fits};
+use super::within::Within;
 use contact::ContactSolution;
 use foundation::geometry::{Flank, Sides};
 use foundation::modification::{Modification, ToleranceMap};
@@ -34,8 +35,7 @@ pub struct BestFitTask<'a> {
     weights: Sides<Vec<f64>>,
     given: Sides<Vec<Modification>>,
     free_profile: bool,
-    /// Normal, mm.
-    tolerance: f64,
+    within: Within,
     axes: Sides<AxisShares>,
     /// Lengths of roll between which the worm is finished, where the contact is to be kept there.
     reach: Sides<Option<[f64; 2]>>,
@@ -96,8 +96,7 @@ fn with_natural_twist(
 
 impl<'a> BestFitTask<'a> {
     /// Targets on a grid, with a map of the tolerance or the same everywhere; with `natural_twist` of each target what its traces through the
-    /// middle become without shift. Functions with `intervals` over the flank; `free_profile`: a dresser is made for them; `on_worm`:
-    /// contacts are kept on the finished part of the worm.
+    /// middle become without shift. Functions with `intervals` over the flank; `free_profile`: a dresser is made for them.
     ///
     /// # Errors
     /// [`GeneratingError::NoFlank`]; evaluation errors of the targets.
@@ -105,8 +104,8 @@ impl<'a> BestFitTask<'a> {
         setup: &'a GrindingSetup,
         (targets, map, natural_twist): (&'a Sides<Option<FlankTarget>>, Option<&ToleranceMap>, bool),
         (grid, intervals): (&'a PlanningGrid, usize),
-        free_profile: bool,
-        (tolerance, limits, dressing, on_worm): (f64, DressingLimits, DressingRows, bool),
+        (free_profile, dressing): (bool, DressingRows),
+        within: Within,
     ) -> Result<Self, GeneratingError> {
         let which: Vec<Flank> = targets.iter().filter(|(_, t)| t.is_some()).map(|(f, _)| f).collect();
         if which.is_empty() {
@@ -134,23 +133,11 @@ impl<'a> BestFitTask<'a> {
             }
             Ok::<_, GeneratingError>(wanted)
         })?;
-        let axes = Sides::from_fn(|flank| axis_shares(setup, flank, limits, dressing));
+        let axes = Sides::from_fn(|flank| axis_shares(setup, flank, within.axes, dressing));
         let dresser = setup.dresser()?;
-        let reach = Sides::from_fn(|flank| on_worm.then(|| finished_rolls(setup, dresser, flank)));
+        let reach = Sides::from_fn(|flank| within.on_worm.then(|| finished_rolls(setup, dresser, flank)));
         let weights = grid.weights(map);
-        Ok(Self {
-            setup,
-            which,
-            grid,
-            intervals,
-            wanted,
-            weights,
-            given,
-            free_profile,
-            tolerance,
-            axes,
-            reach,
-        })
+        Ok(Self { setup, which, grid, intervals, wanted, weights, given, free_profile, within, axes, reach })
     }
 
     fn class(&self, ratio: f64) -> FunctionClass {
@@ -164,41 +151,50 @@ impl<'a> BestFitTask<'a> {
             if !self.which.contains(&flank) {
                 return Ok(None);
             }
+            let tolerance = self.within.tolerance / self.setup.lines[flank].cos_b2;
+            let within = Within { tolerance, ..self.within };
             FlankFit::new(
                 self.setup,
                 flank,
                 (self.class(ratio), ratio, &shift),
                 (&self.grid.w[flank], &self.grid.z),
                 (&self.wanted[flank], &self.weights[flank]),
-                (self.tolerance / self.setup.lines[flank].cos_b2, &self.axes[flank], self.reach[flank]),
+                (within, &self.axes[flank], self.reach[flank]),
                 self.intervals,
             )
             .map(|fit| Some(Arc::new(fit)))
         })
     }
 
-    fn cost(&self, ratio: f64) -> f64 {
+    fn cost(&self, ratio: f64, of_flank: impl Fn(&FlankFit<'_>) -> f64) -> f64 {
         let fits = self.fits(ratio);
         fits.map_or(f64::INFINITY, |fits| {
-            fits.iter().filter_map(|(_, fit)| fit.as_ref()).map(|fit| fit.estimate()).fold(0.0, f64::max)
+            fits.iter().filter_map(|(_, fit)| fit.as_ref()).map(|fit| of_flank(fit)).fold(0.0, f64::max)
         })
     }
 
     /// Ratios by what their fits are expected to cost, the best first; refined about the best. Among those well within the tolerance the one
     /// that is preferred comes first: the smaller one uses less worm.
     pub fn ratios(&self, prefer: Prefer) -> Vec<Expected> {
-        let expected = |ratio: f64| Expected { ratio, cost: self.cost(ratio) };
-        let mut tried: Vec<Expected> =
-            candidates(self.setup, &self.which).into_par_iter().map(expected).collect();
+        let easy = if prefer == Prefer::Accuracy { 0.0 } else { EASY };
+        let price = |ratio: f64| match prefer {
+            Prefer::Accuracy | Prefer::Worm => ratio.abs(),
+            Prefer::Time => self.feed_travel(ratio),
+        };
+        // Least squares tell what is easy; a programme need only be solved for what would come before.
+        let quick = |ratio: f64| Expected { ratio, cost: self.cost(ratio, |fit| fit.quick_estimate()) };
+        let quick: Vec<Expected> = candidates(self.setup, &self.which).into_par_iter().map(quick).collect();
+        let sure = quick.iter().filter(|of| of.cost <= easy).map(|of| price(of.ratio));
+        let sure = sure.fold(f64::INFINITY, f64::min);
+        let expected = |of: Expected| match price(of.ratio) < sure {
+            true => Expected { cost: self.cost(of.ratio, |fit| fit.estimate()), ..of },
+            false => of,
+        };
+        let mut tried: Vec<Expected> = quick.into_par_iter().map(expected).collect();
         let order = |a: &Expected, b: &Expected| {
-            let easy = if prefer == Prefer::Accuracy { 0.0 } else { EASY };
             // Costs within a hundredth are one.
             let class = |of: &Expected| (of.cost.max(easy).ln() / 0.01).round();
-            let price = |of: &Expected| match prefer {
-                Prefer::Accuracy | Prefer::Worm => of.ratio.abs(),
-                Prefer::Time => self.feed_travel(of.ratio),
-            };
-            class(a).total_cmp(&class(b)).then(price(a).total_cmp(&price(b)))
+            class(a).total_cmp(&class(b)).then(price(a.ratio).total_cmp(&price(b.ratio)))
         };
         tried.sort_by(order);
         if let Some(best) = tried.first().copied().filter(|best| best.ratio != 0.0 && best.cost > EASY) {
@@ -208,7 +204,7 @@ impl<'a> BestFitTask<'a> {
                 if !fits(self.setup, &self.which, ratio) {
                     return f64::INFINITY;
                 }
-                let cost = self.cost(ratio);
+                let cost = self.cost(ratio, |fit| fit.estimate());
                 found.push(Expected { ratio, cost });
                 cost
             });
@@ -268,17 +264,17 @@ impl BestFit<'_> {
         Self { commands, ..self.clone() }
     }
 
-    /// The next best fit, for a share of what is wanted, from where the tool touched; `None` where a programme has no solution.
+    /// The next best fit, for a share of what is wanted, from where the tool touched, with a price on touching elsewhere; `None` where a programme has no solution.
     pub fn next(
         &self,
         setup: &GrindingSetup,
         contacts: &Sides<Option<Contacts>>,
-        share: f64,
+        (share, hold): (f64, f64),
     ) -> Option<Self> {
         let next = |flank: Flank| {
             let (fit, command, at) =
                 (self.fits[flank].as_ref()?, self.commands[flank].as_ref()?, contacts[flank].as_ref()?);
-            fit.next(command, at, (share, setup.lines[flank].cos_b2))
+            fit.next(command, at, (share, hold, setup.lines[flank].cos_b2))
         };
         let (left, right) = rayon::join(|| next(Flank::Left), || next(Flank::Right));
         let commands = Sides { left, right };

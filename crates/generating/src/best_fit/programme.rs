@@ -3,8 +3,9 @@
 
 use super::bases::{Bases, Kind, Place};
 use super::envelope::{Envelope, Section};
+use super::within::{LARGEST_BEND, Within};
 use foundation::inverse::{Affine, ConeOptimum, ConeProgramme};
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::{DMatrix, DVector, Matrix2, Vector2};
 
 /// What is meant by the functions, and how far they may be curved over the gap. A bend of 0 costs nothing: crests at a determinant ratio of 0.6,
 /// hollows that leave a flank of half the gap's curvature. A bend of 0.3, the largest within the limits, allows a determinant ratio of 0.3 and
@@ -24,11 +25,10 @@ impl Curvature {
     pub const FLANK: Self = Self { free: [-0.67, 0.5], by_bend: [-5.5, 0.67] };
 }
 
-/// The largest bend within the limits, and what an excess of 1, the tolerance, adds to it.
-const LARGEST_BEND: f64 = 0.3;
+/// What an excess of 1, the tolerance, adds to the largest bend.
 const BEND_BY_EXCESS: f64 = 0.1;
 /// Price of the bend against smoothness.
-const BEND: f64 = 30.0;
+const BEND: f64 = 500.0;
 /// Share of the tolerance below which smoothness counts more than nearness.
 const NEAR: f64 = 0.2;
 /// Share of the limits of the axes that costs nothing, in first order; a bend adds to it.
@@ -100,14 +100,25 @@ pub struct FlankProgramme<'a> {
     pub wanted: &'a [f64],
     /// The tightest tolerance over that of each place.
     pub weights: &'a [f64],
-    /// Transverse, mm; the tightest.
-    pub tolerance: f64,
+    /// The tolerance is transverse, and the tightest.
+    pub within: &'a Within,
     /// What the functions are.
     pub curvature: Curvature,
     /// The axes.
     pub axes: &'a AxisShares,
     /// How far the worm goes, where contacts are kept on it.
     pub reach: Option<&'a Reach>,
+    /// The command that the places were found for.
+    pub held: Option<Held<'a>>,
+}
+
+/// A command near which the next one stays, where the tool would touch elsewhere: that is what the programme does not know.
+#[derive(Clone, Copy, Debug)]
+pub struct Held<'a> {
+    /// Coefficients, mm.
+    pub coefficients: &'a [f64],
+    /// Price of what is not known, in the mean over the flank, in tolerances.
+    pub price: f64,
 }
 
 impl FlankProgramme<'_> {
@@ -122,17 +133,46 @@ impl FlankProgramme<'_> {
             programme.positive.push(Affine { entries: vec![(own, 1.0)], constant: 0.0 });
         }
         let room = vec![(bend, -1.0), (excess, BEND_BY_EXCESS)];
-        programme.positive.push(Affine { entries: room, constant: LARGEST_BEND });
+        programme.positive.push(Affine { entries: room, constant: self.within.bend });
         self.stay_near(&mut programme);
         self.keep_envelope(&mut programme)?;
         self.keep_reach(&mut programme);
         self.keep_axes(&mut programme);
         self.be_smooth(&mut programme);
+        self.stay_where_it_touches(&mut programme);
         let ConeOptimum { mut x, .. } = programme.solve(ACCURACY)?;
         let cost = NEAR + x.get(excess)?.max(0.0) + x.get(bend)?.max(0.0);
         x.truncate(columns);
-        x.iter_mut().for_each(|x| *x *= self.tolerance);
+        x.iter_mut().for_each(|x| *x *= self.within.tolerance);
         Some((x, cost))
+    }
+
+    /// What the programme costs at most: as much as with these coefficients, mm. `None` where they are beyond the limits. Does not know the
+    /// ends of the worm.
+    pub fn cost_of(&self, x: &[f64]) -> Option<f64> {
+        let mut row = Vec::new();
+        let mut off: f64 = 0.0;
+        for (((place, _), wanted), weight) in self.places.iter().zip(self.wanted).zip(self.weights) {
+            self.bases.row(place, &mut row);
+            let made: f64 = row.iter().map(|&(k, a)| a * x[k]).sum();
+            off = off.max(weight * (wanted - made).abs() / self.within.tolerance);
+        }
+        let excess = (off - NEAR).max(0.0);
+        let mut bend: f64 = 0.0;
+        self.axes.each(self.bases, |entries| {
+            let share: f64 = entries.iter().map(|&(k, share)| share * x[k]).sum();
+            bend = bend.max(share.abs() - AXES);
+        });
+        for (place, section) in self.bounded() {
+            let [a, b, c] = self.envelope.curvature_rows(section, self.bases, place)?;
+            let value = |row: &[(usize, f64)]| row.iter().map(|&(k, by)| by * x[k]).sum::<f64>();
+            let [a, b, c] = [value(&a), value(&b), value(&c)];
+            let (middle, half) = (0.5 * (a + c), f64::hypot(0.5 * (a - c), b));
+            for (side, curved) in [middle - half, middle + half].into_iter().enumerate() {
+                bend = bend.max((curved - self.curvature.free[side]) / self.curvature.by_bend[side]);
+            }
+        }
+        (bend <= self.within.bend + BEND_BY_EXCESS * excess).then_some(NEAR + excess + bend)
     }
 
     /// |wanted - f| <= NEAR + excess, in tolerances of the place.
@@ -140,7 +180,7 @@ impl FlankProgramme<'_> {
         let excess = self.bases.columns();
         let mut row = Vec::new();
         for (((place, _), wanted), weight) in self.places.iter().zip(self.wanted).zip(self.weights) {
-            let wanted = weight * wanted / self.tolerance;
+            let wanted = weight * wanted / self.within.tolerance;
             self.bases.row(place, &mut row);
             row.iter_mut().for_each(|(_, a)| *a *= weight);
             for sign in [1.0, -1.0] {
@@ -151,11 +191,19 @@ impl FlankProgramme<'_> {
         }
     }
 
-    /// Points that tell enough of curvatures and slopes of splines of fewer pieces: every second of every second row.
+    /// Points that tell enough of curvatures and slopes of splines of fewer pieces: every second of every second row, or as on a chessboard.
     fn thinned(&self) -> impl Iterator<Item = (usize, &(Place, Section))> {
-        let row = self.row;
-        let thinned = move |&(k, _): &(usize, _)| (k / row).is_multiple_of(2) && (k % row).is_multiple_of(2);
+        let (row, closely) = (self.row, self.within.closely);
+        let thinned = move |&(k, _): &(usize, _)| {
+            let (i, j) = (k / row, k % row);
+            (i + j).is_multiple_of(2) && (closely || i.is_multiple_of(2))
+        };
         self.places.iter().enumerate().filter(thinned)
+    }
+
+    /// Places at which the curvature is bounded.
+    fn bounded(&self) -> impl Iterator<Item = &(Place, Section)> {
+        self.thinned().map(|(_, at)| at).chain(self.beside)
     }
 
     /// The tool touches where it still has its profile: the place on the worm moves with the slopes of the command at the foot.
@@ -169,7 +217,7 @@ impl FlankProgramme<'_> {
                     continue;
                 }
                 let moves = self.envelope.reach_row(section, self.bases, place);
-                let by = sign * self.tolerance;
+                let by = sign * self.within.tolerance;
                 let mut entries: Vec<(usize, f64)> = moves.into_iter().map(|(k, a)| (k, by * a)).collect();
                 entries.push((bend, OFF_THE_ENDS / LARGEST_BEND));
                 programme.positive.push(Affine { entries, constant: room - OFF_THE_ENDS });
@@ -180,11 +228,10 @@ impl FlankProgramme<'_> {
     /// Both eigenvalues of the curvature over that of the gap between their limits.
     fn keep_envelope(&self, programme: &mut ConeProgramme) -> Option<()> {
         let bend = self.bases.columns() + 1;
-        let on_flank = self.thinned().map(|(_, at)| at);
-        for (place, section) in on_flank.chain(self.beside) {
+        for (place, section) in self.bounded() {
             let [a, b, c] = self.envelope.curvature_rows(section, self.bases, place)?;
             let scaled = |row: &[(usize, f64)], by: f64| -> Vec<(usize, f64)> {
-                row.iter().map(|&(k, x)| (k, x * by * self.tolerance)).collect()
+                row.iter().map(|&(k, x)| (k, x * by * self.within.tolerance)).collect()
             };
             let joined = |mut left: Vec<(usize, f64)>, right: Vec<(usize, f64)>| {
                 left.extend(right);
@@ -208,7 +255,7 @@ impl FlankProgramme<'_> {
         let bend = self.bases.columns() + 1;
         self.axes.each(self.bases, |entries| {
             for sign in [1.0, -1.0] {
-                let scaled = entries.iter().map(|&(k, share)| (k, sign * share * self.tolerance));
+                let scaled = entries.iter().map(|&(k, share)| (k, sign * share * self.within.tolerance));
                 let entries = scaled.chain([(bend, 1.0)]).collect();
                 programme.positive.push(Affine { entries, constant: AXES });
             }
@@ -227,6 +274,35 @@ impl FlankProgramme<'_> {
             block.straight_beyond(BEYOND, &mut programme.quadratic);
             block.differences(&[1.0], travel + RIDGE, &mut programme.quadratic);
         }
+    }
+}
+
+impl FlankProgramme<'_> {
+    /// A change of the command by delta leaves less than delta: by grad(delta) H^-1 grad(delta)/2, as the contact moves.
+    fn stay_where_it_touches(&self, programme: &mut ConeProgramme) {
+        let Some(Held { coefficients, price }) = self.held else { return };
+        let columns = self.bases.columns();
+        let mut form = DMatrix::<f64>::zeros(columns, columns);
+        let count = self.thinned().count().max(1) as f64;
+        for (_, (place, section)) in self.thinned() {
+            let slopes = self.envelope.slope_rows(section, self.bases, place);
+            let by = section.inverse * (price * self.within.tolerance * section.cos / count);
+            for (i, (column, slope)) in slopes.iter().enumerate() {
+                let moved = by * slope;
+                for (other, along) in &slopes[..=i] {
+                    // `slopes` ascends: the lower triangle.
+                    form[(*column, *other)] += moved.dot(along);
+                }
+            }
+        }
+        form.fill_upper_triangle_with_lower_triangle();
+        let held = DVector::from_iterator(columns, coefficients.iter().map(|x| x / self.within.tolerance));
+        for (cost, pull) in programme.cost.iter_mut().zip((&form * held).iter()) {
+            *cost -= pull;
+        }
+        let entries = (0..columns).flat_map(|j| (0..=j).map(move |i| (i, j)));
+        let entries = entries.map(|(i, j)| (i, j, form[(i, j)])).filter(|(.., value)| *value != 0.0);
+        programme.quadratic.extend(entries);
     }
 }
 

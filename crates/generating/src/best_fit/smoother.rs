@@ -1,7 +1,7 @@
 //! Penalised least squares for splines: values at places, third differences small, and just enough on the second ones to choose among the
 //! decompositions with the same sum.
 
-use super::bases::{Bases, Block, Kind, Place};
+use super::bases::{Bases, Kind, Place};
 use nalgebra::{DMatrix, DVector};
 
 /// Weight of the second differences against that of the third: chooses among equal decompositions and hardly bends anything.
@@ -56,10 +56,8 @@ impl Rows {
     }
 }
 
-/// The penalty of a block, in the lower triangle.
-fn add_differences(matrix: &mut DMatrix<f64>, block: &Block, stencil: &[f64], weight: f64) {
-    let mut form = Vec::new();
-    block.differences(stencil, weight, &mut form);
+/// A quadratic form, in the lower triangle.
+fn add_form(matrix: &mut DMatrix<f64>, form: Vec<(usize, usize, f64)>) {
     for (row, column, value) in form {
         matrix[(column, row)] += value;
     }
@@ -74,18 +72,21 @@ pub struct Smoother<'a> {
 }
 
 impl Smoother<'_> {
-    /// Coefficients that make mean((value - fit)^2) + `smoothness` mean(third differences^2) + the choice among equals small.
-    /// `None` where a number is not finite.
-    pub fn fit(&self, values: &[f64], smoothness: f64) -> Option<Vec<f64>> {
+    /// Coefficients that make mean((value - fit)^2) + `smoothness` mean(third differences^2) + `beyond` mean(second differences beyond the
+    /// flank^2) + the choice among equals small. `None` where a number is not finite.
+    pub fn fit(&self, values: &[f64], smoothness: f64, beyond: f64) -> Option<Vec<f64>> {
         let (mut matrix, right) = self.rows.normal(values);
         for block in &self.bases.blocks {
-            add_differences(&mut matrix, block, &[-1.0, 3.0, -3.0, 1.0], smoothness);
-            add_differences(&mut matrix, block, &[1.0, -2.0, 1.0], BEND);
+            let mut form = Vec::new();
+            block.differences(&[-1.0, 3.0, -3.0, 1.0], smoothness, &mut form);
+            block.differences(&[1.0, -2.0, 1.0], BEND, &mut form);
             let travel = match block.kind {
                 Kind::Kinematic | Kind::Linear => TRAVEL,
                 Kind::Constant | Kind::Profile => 0.0,
             };
-            add_differences(&mut matrix, block, &[1.0], travel + RIDGE);
+            block.differences(&[1.0], travel + RIDGE, &mut form);
+            block.straight_beyond(beyond, &mut form);
+            add_form(&mut matrix, form);
         }
         let solved = matrix.cholesky()?.solve(&right);
         solved.iter().all(|x| x.is_finite()).then(|| solved.iter().copied().collect())
