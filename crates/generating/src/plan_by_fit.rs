@@ -29,7 +29,7 @@ const DRESSED_ROUNDS: usize = 4;
 /// A round ends the correction at this share of the tolerance.
 const SETTLED: f64 = 0.25;
 /// Price of moving the contact, what it grows by where a round does not come nearer, and falls by where it does; such rounds one after the other,
-/// at most; and the share of the last distance below which a round within the tolerance is worth another.
+/// at most; the largest price; and the share of the last distance below which a round within the tolerance is worth another.
 const HOLD: f64 = 10.0;
 const TIGHTER: f64 = 10.0;
 const LOOSER: f64 = 3.0;

@@ -36,6 +36,9 @@ pub struct ConeOptimum {
     pub bound: f64,
 }
 
+/// Residual of a step over the accuracy that is asked for.
+const REFINED: f64 = 1e-3;
+
 impl ConeProgramme {
     /// Solves; `None` if the interior points do not converge to `accuracy`, of a programme scaled to numbers of about 1.
     pub fn solve(&self, accuracy: f64) -> Option<ConeOptimum> {
@@ -68,8 +71,9 @@ impl ConeProgramme {
             tol_gap_abs: accuracy,
             tol_gap_rel: accuracy,
             tol_feas: accuracy,
-            iterative_refinement_reltol: 1e-3 * accuracy,
-            iterative_refinement_abstol: 1e-3 * accuracy,
+            // Steps need not be more exact than that: further refinement took a fifth of the time.
+            iterative_refinement_reltol: REFINED * accuracy,
+            iterative_refinement_abstol: REFINED * accuracy,
             ..DefaultSettings::default()
         };
         let mut solver = DefaultSolver::new(&p, &self.cost, &a, &right, &cones, settings).ok()?;
