@@ -302,51 +302,14 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
     /// # Errors
     /// Those of [`ExactContact::solve`], at a point that fails.
     pub fn solve_grid(&self, w: &[f64], z: &[f64]) -> Result<Vec<ContactSolution>, ContactError> {
-        let rows: Vec<usize> = (0..w.len()).collect();
-        let (down, up) = rows.split_at(w.len() / 2);
-        let mut solved: Vec<Vec<ContactSolution>> = vec![Vec::new(); w.len()];
-        let mut middle = None;
-        for way in [up.to_vec(), down.iter().rev().copied().collect()] {
-            let mut column = Trail::from(middle);
-            for i in way {
-                let (row, at_middle) = self.solve_row(w[i], z, &column)?;
-                solved[i] = row;
-                if let Some(delta) = at_middle {
-                    middle = middle.or(Some((w[i], delta)));
-                    column.push(w[i], delta);
-                }
-            }
-        }
-        Ok(solved.into_iter().flatten().collect())
-    }
-
-    /// Solves a row of a grid, with the correction found in its middle.
-    fn solve_row(
-        &self,
-        w_2: f64,
-        z: &[f64],
-        column: &Trail,
-    ) -> Result<(Vec<ContactSolution>, Option<State>), ContactError> {
-        let (left, right) = z.split_at(z.len() / 2);
-        let mut unmodified = None;
-        let mut solve = |trail: &mut Trail, start: Option<State>, z_2: f64| {
-            let (solution, delta) = self.solve_from(w_2, z_2, start.as_ref(), &mut unmodified)?;
-            trail.push(z_2, delta);
-            Ok::<_, ContactError>((solution, delta))
-        };
-        let (mut row, mut middle, mut trail) = (Vec::with_capacity(z.len()), None, Trail::default());
-        for &z_2 in right {
-            let start = if middle.is_none() { column.expected(w_2) } else { trail.expected(z_2) };
-            let (solution, delta) = solve(&mut trail, start, z_2)?;
-            row.push(solution);
-            middle = middle.or(Some((z_2, delta)));
-        }
-        let mut trail = Trail::from(middle);
-        for &z_2 in left.iter().rev() {
-            let start = trail.expected(z_2);
-            row.insert(0, solve(&mut trail, start, z_2)?.0);
-        }
-        Ok((row, middle.map(|(_, delta)| delta)))
+        let (rows, _) = from_the_middle(w, None, |w_2, start| {
+            let mut unmodified = None;
+            from_the_middle(z, start, |z_2, start| {
+                let (solution, delta) = self.solve_from(w_2, z_2, start.as_ref(), &mut unmodified)?;
+                Ok((solution, Some(delta)))
+            })
+        })?;
+        Ok(rows.into_iter().flatten().collect())
     }
 
     /// Derivatives of f_n2 at a solution, exact at finite modification.
@@ -397,12 +360,6 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
 #[derive(Default)]
 struct Trail(Vec<(f64, State)>);
 
-impl From<Option<(f64, State)>> for Trail {
-    fn from(first: Option<(f64, State)>) -> Self {
-        Self(first.into_iter().collect())
-    }
-}
-
 impl Trail {
     fn push(&mut self, at: f64, delta: State) {
         if self.0.len() == 3 {
@@ -423,6 +380,36 @@ impl Trail {
         let sum = (0..self.0.len()).map(|k| self.0[k].1 * weight(k)).sum::<State>();
         sum.iter().all(|x| x.is_finite()).then_some(sum)
     }
+}
+
+/// Solves at ascending places from the middle one outwards, each from the correction that those on the way there let expect, the middle one from
+/// `first`; with the correction of the middle.
+fn from_the_middle<T>(
+    places: &[f64],
+    first: Option<State>,
+    mut solve: impl FnMut(f64, Option<State>) -> Result<(T, Option<State>), ContactError>,
+) -> Result<(Vec<T>, Option<State>), ContactError> {
+    let (before, after) = places.split_at(places.len() / 2);
+    let [mut solved, mut below] = [before, after].map(|side| Vec::with_capacity(side.len()));
+    let mut along = |trail: &mut Trail, at: f64, solved: &mut Vec<T>| {
+        let start = if trail.0.is_empty() { first } else { trail.expected(at) };
+        let (found, delta) = solve(at, start)?;
+        solved.push(found);
+        if let Some(delta) = delta {
+            trail.push(at, delta);
+        }
+        Ok::<_, ContactError>(delta)
+    };
+    let (mut trail, mut middle) = (Trail::default(), None);
+    for &at in after {
+        let delta = along(&mut trail, at, &mut solved)?;
+        middle = middle.or(delta.map(|delta| (at, delta)));
+    }
+    let mut trail = Trail(middle.into_iter().collect());
+    for &at in before.iter().rev() {
+        along(&mut trail, at, &mut below)?;
+    }
+    Ok((below.into_iter().rev().chain(solved).collect(), middle.map(|(_, delta)| delta)))
 }
 
 /// Solution and determinant by elimination with pivots, on the stack: the inner step of every flank.

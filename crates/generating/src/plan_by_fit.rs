@@ -29,11 +29,12 @@ const DRESSED_ROUNDS: usize = 4;
 /// A round ends the correction at this share of the tolerance.
 const SETTLED: f64 = 0.25;
 /// Price of moving the contact, what it grows by where a round does not come nearer, and falls by where it does; such rounds one after the other,
-/// at most; the largest price; and the share of the last distance below which a round within the tolerance is worth another.
+/// at most, and where a plan is good already; the largest price; and the share of the last distance below which a round within the tolerance is worth another.
 const HOLD: f64 = 10.0;
 const TIGHTER: f64 = 10.0;
 const LOOSER: f64 = 3.0;
 const FAILURES: usize = 4;
+const PATIENCE_WHERE_GOOD: usize = 1;
 const LARGEST_HOLD: f64 = 1e5;
 const WORTH: f64 = 0.9;
 /// A plan below this share of the tolerance needs no further ratio.
@@ -157,7 +158,8 @@ impl PlanTask<'_> {
             tried.push(ratio);
             let mut fitted = self.fitted_at(&task, &grid, ratio, ruled);
             let mut within = first;
-            for _ in 0..if tried.len() <= SOUGHT { RETRIES } else { 1 } {
+            let retries = if tried.len() <= SOUGHT { RETRIES } else { 1 };
+            for _ in 0..retries {
                 let Some(narrower) = fitted.as_ref().err().and_then(|error| narrower(error, within)) else {
                     break;
                 };
@@ -309,7 +311,8 @@ impl PlanTask<'_> {
         let mut record = vec![off];
         let (mut hold, mut failed) = (HOLD, 0);
         while record.len() <= rounds && off > SETTLED * self.tolerance && hold <= LARGEST_HOLD {
-            if failed > if off <= GOOD * self.tolerance { 1 } else { FAILURES } {
+            let patience = if off <= GOOD * self.tolerance { PATIENCE_WHERE_GOOD } else { FAILURES };
+            if failed > patience {
                 break;
             }
             let Some(mut tried) = fit.next(self.setup, &contacts, (1.0, hold)) else { break };

@@ -126,9 +126,11 @@ impl<'a> FlankFit<'a> {
 
     /// The flank of least squares of least cost; `None` where nothing is finite.
     fn planned(&self, share: f64) -> Option<PlannedFlank> {
+        let smoother = self.smoother();
         let mut best: Option<PlannedFlank> = None;
         for smoothness in SMOOTHNESS {
-            let Some(planned) = self.planned_at(smoothness, share) else { continue };
+            let Some(x) = smoother.fit(smoothness, 0.0) else { continue };
+            let Some(planned) = self.planned_by(x, share) else { continue };
             if best.as_ref().is_none_or(|known| planned.cost < known.cost) {
                 best = Some(planned);
             }
@@ -137,21 +139,25 @@ impl<'a> FlankFit<'a> {
     }
 
     fn smoother(&self) -> Smoother<'_> {
-        Smoother { bases: &self.bases, rows: &self.rows }
+        Smoother::new(&self.bases, &self.rows, self.wanted)
     }
 
-    fn planned_at(&self, smoothness: f64, share: f64) -> Option<PlannedFlank> {
-        let mut x = self.smoother().fit(self.wanted, smoothness, 0.0)?;
+    /// A share of the flank with these coefficients.
+    fn planned_by(&self, mut x: Vec<f64>, share: f64) -> Option<PlannedFlank> {
         x.iter_mut().for_each(|x| *x *= share);
         let functions = self.bases.functions(&x).ok()?;
-        let values = self.rows.values(&x);
-        let off = self.largest(values.iter().zip(self.wanted).map(|(f, wanted)| f - share * wanted));
         let curvature = extremes(
             self.points().flat_map(|(section, w, z)| self.envelope.foot(section, &functions, w, z).curvature),
         );
         let bent = f64::max(curvature[0] / CURVATURE[0], curvature[1] / CURVATURE[1]);
-        let cost = (off / self.within.tolerance).max(bent);
-        Some(PlannedFlank { functions, cost })
+        Some(PlannedFlank { functions, cost: self.missed_by(&x, share).max(bent) })
+    }
+
+    /// What a flank with these coefficients leaves of a share of what is wanted, in tolerances.
+    fn missed_by(&self, x: &[f64], share: f64) -> f64 {
+        let values = self.rows.values(x);
+        let off = values.iter().zip(self.wanted).map(|(f, wanted)| f - share * wanted);
+        self.largest(off) / self.within.tolerance
     }
 
     /// The places of the unmodified contact.
@@ -169,9 +175,10 @@ impl<'a> FlankFit<'a> {
     pub fn quick_estimate(&self) -> f64 {
         let places = self.unmoved();
         let programme = self.programme(&places, self.wanted, (Curvature::FLANK, None));
+        let smoother = self.smoother();
         let cost = |smoothness: f64| {
-            let x = self.smoother().fit(self.wanted, smoothness, BEYOND_BY_SMOOTHNESS * smoothness)?;
-            programme.cost_of(&x)
+            let x = smoother.fit(smoothness, BEYOND_BY_SMOOTHNESS * smoothness)?;
+            programme.cost_of(&x, self.missed_by(&x, 1.0))
         };
         SMOOTHNESS.into_iter().filter_map(cost).fold(f64::INFINITY, f64::min)
     }

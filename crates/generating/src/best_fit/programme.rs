@@ -147,16 +147,9 @@ impl FlankProgramme<'_> {
         Some((x, cost))
     }
 
-    /// What the programme costs at most: as much as with these coefficients, mm. `None` where they are beyond the limits. Does not know the
-    /// ends of the worm.
-    pub fn cost_of(&self, x: &[f64]) -> Option<f64> {
-        let mut row = Vec::new();
-        let mut off: f64 = 0.0;
-        for (((place, _), wanted), weight) in self.places.iter().zip(self.wanted).zip(self.weights) {
-            self.bases.row(place, &mut row);
-            let made: f64 = row.iter().map(|&(k, a)| a * x[k]).sum();
-            off = off.max(weight * (wanted - made).abs() / self.within.tolerance);
-        }
+    /// What the programme costs at most: as much as with these coefficients, mm, which leave `off`, in tolerances. `None` where they are beyond
+    /// the limits. Does not know the ends of the worm.
+    pub fn cost_of(&self, x: &[f64], off: f64) -> Option<f64> {
         let excess = (off - NEAR).max(0.0);
         let mut bend: f64 = 0.0;
         self.axes.each(self.bases, |entries| {
@@ -275,9 +268,7 @@ impl FlankProgramme<'_> {
             block.differences(&[1.0], travel + RIDGE, &mut programme.quadratic);
         }
     }
-}
 
-impl FlankProgramme<'_> {
     /// A change of the command by delta leaves less than delta: by grad(delta) H^-1 grad(delta)/2, as the contact moves.
     fn stay_where_it_touches(&self, programme: &mut ConeProgramme) {
         let Some(Held { coefficients, price }) = self.held else { return };

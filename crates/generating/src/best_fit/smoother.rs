@@ -65,17 +65,21 @@ fn add_form(matrix: &mut DMatrix<f64>, form: Vec<(usize, usize, f64)>) {
 
 /// Fits to values at places.
 pub struct Smoother<'a> {
-    /// The functions.
-    pub bases: &'a Bases,
-    /// The places.
-    pub rows: &'a Rows,
+    bases: &'a Bases,
+    /// A^T A / n and A^T b / n.
+    normal: (DMatrix<f64>, DVector<f64>),
 }
 
-impl Smoother<'_> {
+impl<'a> Smoother<'a> {
+    /// Of functions, to values at places.
+    pub fn new(bases: &'a Bases, rows: &Rows, values: &[f64]) -> Self {
+        Self { bases, normal: rows.normal(values) }
+    }
+
     /// Coefficients that make mean((value - fit)^2) + `smoothness` mean(third differences^2) + `beyond` mean(second differences beyond the
     /// flank^2) + the choice among equals small. `None` where a number is not finite.
-    pub fn fit(&self, values: &[f64], smoothness: f64, beyond: f64) -> Option<Vec<f64>> {
-        let (mut matrix, right) = self.rows.normal(values);
+    pub fn fit(&self, smoothness: f64, beyond: f64) -> Option<Vec<f64>> {
+        let (mut matrix, right) = (self.normal.0.clone(), &self.normal.1);
         for block in &self.bases.blocks {
             let mut form = Vec::new();
             block.differences(&[-1.0, 3.0, -3.0, 1.0], smoothness, &mut form);
@@ -88,7 +92,7 @@ impl Smoother<'_> {
             block.straight_beyond(beyond, &mut form);
             add_form(&mut matrix, form);
         }
-        let solved = matrix.cholesky()?.solve(&right);
+        let solved = matrix.cholesky()?.solve(right);
         solved.iter().all(|x| x.is_finite()).then(|| solved.iter().copied().collect())
     }
 }
