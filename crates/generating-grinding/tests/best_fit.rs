@@ -62,6 +62,20 @@ fn the_referee_meets_an_end_relief_and_its_settings_run_again() {
             "{}",
             flank.model_difference_um
         );
+        // The drawing's values on the traces through the middle: within a tolerance beside 15 um of relief.
+        let values: Vec<_> = flank.traces.iter().flat_map(|trace| &trace.values).collect();
+        let symbols: Vec<&str> = values.iter().map(|value| value.symbol).collect();
+        assert!(
+            symbols.starts_with(&["C_alpha", "C_Halpha"]) && symbols.contains(&"C_alpha_a"),
+            "{symbols:?}"
+        );
+        for value in values {
+            assert!((value.made_um - value.target_um).abs() < planned.result.tolerance_um, "{value:?}");
+        }
+        for trace in &flank.traces {
+            assert!(trace.tolerance_share > 1e-6 && trace.tolerance_share <= 1.0, "{trace:?}");
+            assert!(trace.total_um >= trace.slope_um.abs() && trace.not_evaluated.is_empty(), "{trace:?}");
+        }
     }
     let settings = serde_json::to_value(&planned.result.settings.settings).unwrap();
     assert!(
@@ -89,6 +103,31 @@ fn a_fit_keeps_to_the_tip_of_the_worm_and_shifts_no_more_than_it_must() {
         let apart = planned.result.flanks.values().map(|flank| flank.model_difference_um).fold(0.0, f64::max);
         assert!(apart < 0.1 * planned.result.tolerance_um, "{name}: {apart} um");
     }
+}
+
+#[test]
+fn a_miss_says_how_near_any_flank_could_come() {
+    // An end relief over 0.9 mm within 0.2 um: the envelope does not follow.
+    let mut job = drawing("d017");
+    job["target"]["tolerance_um"] = 0.2.into();
+    job["grinding"]["diagonal_ratio"] = 0.35.into();
+    for entry in job["target"]["modifications"].as_array_mut().unwrap() {
+        if entry["kind"].as_str().is_some_and(|kind| kind.starts_with("end_relief")) {
+            entry["length_mm"] = 0.9.into();
+        }
+    }
+    let result = plan_job(&load(&job), &Silent).unwrap_or_else(|e| panic!("{e:?}")).result;
+    assert_eq!(result.verdict.status(), Status::Missed);
+    let reason = result.verdict.reason().unwrap();
+    assert_eq!(reason.code, "best-fit-missed", "{reason:?}");
+    let least = result.least_deviation.unwrap();
+    assert_eq!(least.diagonal_ratio, 0.35);
+    let left = result.flanks.values().map(|flank| flank.max_deviation_um).fold(0.0, f64::max);
+    assert!(least.bound_um <= left && least.bound_um <= least.first_order_um, "{least:?} {left}");
+    // A limit less leaves no more.
+    let without = least.without_axis_limits_um.min(least.without_envelope_limit_um);
+    assert!(0.0 <= without && without <= least.first_order_um, "{least:?}");
+    assert!(!least.proven || least.bound_um > 0.2, "{least:?}");
 }
 
 #[test]

@@ -40,6 +40,7 @@ fn the_page_is_complete_and_self_contained() {
     let page = page(&outcome);
     for heading in [
         "Result per flank",
+        "Values of the drawing",
         "Scope of the verdict",
         "Gear and tools",
         "Settings",

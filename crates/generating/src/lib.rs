@@ -72,7 +72,7 @@ pub use local_envelope::{LocalEnvelope, kinematic_compliance};
 pub use made::MadeFlank;
 pub use motion::{common_motion, motion_of_flanks};
 pub use natural_twist::{NaturalTwist, natural_twist};
-pub use plan::{DEFAULT_LEAST_DETERMINANT, FlankPlan, GrindingPlan, PlanTask, PlannedTool};
+pub use plan::{DEFAULT_LEAST_DETERMINANT, FlankPlan, GrindingPlan, LeastDeviation, PlanTask, PlannedTool};
 pub use planning_grid::PlanningGrid;
 pub use policy::{DressingRows, FlankRows, FreeCoefficients, PlanGauge, ProfilePolicy, SeriesRule};
 pub use quadratic::{

@@ -107,6 +107,31 @@ pub struct GrindingPlan {
     pub between: Sides<f64>,
     /// The refusal of the rules that a best fit took the place of.
     pub instead_of: Option<Box<NoPlan>>,
+    /// How near any flank could come, for a plan that misses its target.
+    pub least: Option<LeastDeviation>,
+}
+
+/// A lower bound of what the flanks of the class of best fits leave of a target over all diagonal ratios that the worm is wide enough for
+/// (`docs/mathematics/best-fit.md#a-miss`). Normal, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeastDeviation {
+    /// Ratio at which least is left.
+    pub ratio: f64,
+    /// What is left there at least within the limits of axes and envelope, to first order.
+    pub first_order: f64,
+    /// How far the planned flank lies from the class: the higher order that the bound neglects.
+    pub beyond_class: f64,
+    /// What is left at the same ratio without the limits of the axes.
+    pub without_axes: f64,
+    /// What is left at the same ratio without that of the envelope.
+    pub without_envelope: f64,
+}
+
+impl LeastDeviation {
+    /// The bound less what it neglects.
+    pub fn bound(&self) -> f64 {
+        (self.first_order - self.beyond_class).max(0.0)
+    }
 }
 
 /// Determinant ratio that every contact keeps where nothing else is asked for.
@@ -355,13 +380,26 @@ impl PlanTask<'_> {
         self.plan_with(grid, cheaper).ok().filter(keeps)
     }
 
-    /// As [`PlanTask::plan`]; a refusal brings along the candidates that were judged. By the rules ([`PlanTask::plan_by_rules`]), and where
+    /// As [`PlanTask::plan`]; a refusal brings along the candidates that were judged. A plan that misses its target says how near any flank
+    /// could come, where best fits know the bodies.
+    ///
+    /// # Errors
+    /// [`NoPlan`].
+    pub fn plan_or_tried(&self) -> Result<GrindingPlan, Box<NoPlan>> {
+        let mut plan = self.nearest_plan()?;
+        if self.may_be_fitted() && self.strain_of(&plan) > self.tolerance {
+            plan.least = self.least_deviation(&plan);
+        }
+        Ok(plan)
+    }
+
+    /// By the rules ([`PlanTask::plan_by_rules`]), and where
     /// they miss the tolerance or find no plan, by one best fit of worm, dresser and motion to the whole target
     /// (`docs/mathematics/best-fit.md`), if that comes nearer.
     ///
     /// # Errors
     /// [`NoPlan`].
-    pub fn plan_or_tried(&self) -> Result<GrindingPlan, Box<NoPlan>> {
+    fn nearest_plan(&self) -> Result<GrindingPlan, Box<NoPlan>> {
         if !self.may_be_fitted() {
             return self.plan_by_rules();
         }
@@ -380,9 +418,7 @@ impl PlanTask<'_> {
         }
         match (fitted, ruled) {
             (Some(fitted), Ok(ruled)) if self.strain_of(&fitted) < self.strain_of(&ruled) => Ok(fitted),
-            (Some(fitted), Err(refused)) if self.deviation(&fitted) <= self.unmodified(&fitted) => {
-                Ok(GrindingPlan { instead_of: Some(refused), ..fitted })
-            }
+            (Some(fitted), Err(refused)) => Ok(GrindingPlan { instead_of: Some(refused), ..fitted }),
             (_, ruled) => ruled,
         }
     }
@@ -530,6 +566,7 @@ impl PlanTask<'_> {
             determinant,
             between,
             instead_of: None,
+            least: None,
         })
     }
 

@@ -6,8 +6,8 @@ use super::plan::{Equipped, LARGEST_DRESSING_MARGIN, PlanTask, Records};
 use super::planning_grid::GroundError;
 use super::ratio::{CORRECTION_AXES, Candidate, FlankResidual, NoPlan, RatioChoice, RatioReason};
 use super::{
-    DressingRows, FeedLaw, GeneratingError, GrindingPlan, IdealPlan, PlanGauge, PlannedTool, PlanningGrid,
-    Prefer, ProfilePlace, ProfilePolicy, SeriesRule, Tool,
+    DressingRows, FeedLaw, GeneratingError, GrindingPlan, IdealPlan, LeastDeviation, PlanGauge, PlannedTool,
+    PlanningGrid, Prefer, ProfilePlace, ProfilePolicy, SeriesRule, Tool,
 };
 use contact::{ContactError, ModifiedThread};
 use foundation::geometry::{Flank, Sides};
@@ -28,8 +28,8 @@ const ROUNDS: usize = 12;
 const DRESSED_ROUNDS: usize = 4;
 /// A round ends the correction at this share of the tolerance.
 const SETTLED: f64 = 0.25;
-/// Price of moving the contact, what it grows by where a round does not come nearer, and falls by where it does; such rounds one after the other,
-/// at most, and where a plan is good already; the largest price; and the share of the last distance below which a round within the tolerance is worth another.
+/// Price of moving the contact, what it grows by where a round does not come nearer, and falls by where it does; rounds that do not or hardly,
+/// one after the other, at most, and where a plan is good already; the largest price; and the share of the last distance below which a round within the tolerance is worth another.
 const HOLD: f64 = 10.0;
 const TIGHTER: f64 = 10.0;
 const LOOSER: f64 = 3.0;
@@ -37,6 +37,8 @@ const FAILURES: usize = 4;
 const PATIENCE_WHERE_GOOD: usize = 1;
 const LARGEST_HOLD: f64 = 1e5;
 const WORTH: f64 = 0.9;
+/// A round that leaves more than this share of the last distance counts like one that does not come nearer.
+const HARDLY: f64 = 0.97;
 /// A plan below this share of the tolerance needs no further ratio.
 const GOOD: f64 = 0.5;
 /// From so many ratios on this share is enough.
@@ -57,10 +59,12 @@ const WELL_NARROWER: f64 = 0.3;
 const RETRIES: usize = 2;
 /// Share of the bend that is left to a fit whose envelope folds though it is looked at closely.
 const LESS_BENT: f64 = 0.4;
+/// Share of the least determinant ratio below which a command folds between the points of a grid: between them the second order tells it.
+const FOLDED: f64 = 0.5;
 /// A fit that leaves more than this of what an unmodified flank would is hardly one.
 const OF_UNMODIFIED: f64 = 0.5;
 /// Tolerances within which the command stays near the target where none within one can be carried out.
-const FURTHER: [f64; 3] = [3.0, 10.0, 30.0];
+const FURTHER: [f64; 4] = [3.0, 10.0, 30.0, 100.0];
 /// Length of roll that contacts stay within the finished part of the worm, mm: rays stand between the points of a fit. And by how much
 /// beyond that counts as a tolerance, mm.
 const ROOM_AT_ENDS: f64 = 0.02;
@@ -70,6 +74,15 @@ const FIRST_SHARES: [f64; 2] = [0.4, 0.15];
 const SHARE_STEP: f64 = 0.3;
 const LEAST_STEP: f64 = 0.03;
 const SHARES: usize = 10;
+
+/// A fit at one ratio with its tool.
+struct FittedPlan {
+    plan: GrindingPlan,
+    /// What speaks against it, mm.
+    strain: f64,
+    /// Whether its command folds between the points of the grid, as far as the second order tells.
+    folds: bool,
+}
 
 /// A fit that is carried out.
 struct CarriedOut<'f, T> {
@@ -145,7 +158,7 @@ impl PlanTask<'_> {
         };
         let grid = PlanningGrid::new(self.setup, FIT_GRID[0], FIT_GRID[1]).closer_at_ends();
         let task = fits((&grid, FIT_INTERVALS))?;
-        let mut best: Option<GrindingPlan> = None;
+        let mut best: Option<FittedPlan> = None;
         let mut tried: Vec<f64> = Vec::new();
         while tried.len() < CARRIED_OUT {
             // What one ratio cannot do that was expected to be easy its neighbours hardly can.
@@ -158,29 +171,42 @@ impl PlanTask<'_> {
             tried.push(ratio);
             let mut fitted = self.fitted_at(&task, &grid, ratio, ruled);
             let mut within = first;
-            let retries = if tried.len() <= SOUGHT { RETRIES } else { 1 };
+            // Where a plan within the tolerance is known, another ratio is worth one fit.
+            let known = best.as_ref().is_some_and(|known| known.strain <= WITHIN * self.tolerance);
+            let retries = match known {
+                true => 0,
+                false if tried.len() <= SOUGHT => RETRIES,
+                false => 1,
+            };
             for _ in 0..retries {
-                let Some(narrower) = fitted.as_ref().err().and_then(|error| narrower(error, within)) else {
-                    break;
+                let narrower = match &fitted {
+                    Err(error) => narrower(error, within),
+                    Ok(fitted) if fitted.folds && !within.closely => Some(Within { closely: true, ..within }),
+                    Ok(_) => None,
                 };
+                let Some(narrower) = narrower else { break };
                 let Some(task) = task_on((&grid, FIT_INTERVALS), narrower) else { break };
                 within = narrower;
-                fitted = self.fitted_at(&task, &grid, ratio, ruled);
+                fitted = match (fitted, self.fitted_at(&task, &grid, ratio, ruled)) {
+                    (Ok(known), Ok(again)) if known.strain <= again.strain => Ok(known),
+                    (Ok(known), Err(_)) => Ok(known),
+                    (_, again) => again,
+                };
             }
-            let Ok(plan) = fitted else { continue };
-            let better = best.as_ref().is_none_or(|known| self.strain_of(&plan) < self.strain_of(known));
-            if better {
-                best = Some(plan);
+            let Ok(fitted) = fitted else { continue };
+            if best.as_ref().is_none_or(|known| fitted.strain < known.strain) {
+                best = Some(fitted);
             }
             let enough = match self.prefer {
                 Prefer::Accuracy => SETTLED,
                 Prefer::Worm | Prefer::Time if tried.len() < SOUGHT => GOOD,
                 Prefer::Worm | Prefer::Time => WITHIN,
             };
-            if best.as_ref().is_some_and(|known| self.strain_of(known) <= enough * self.tolerance) {
+            if best.as_ref().is_some_and(|known| known.strain <= enough * self.tolerance) {
                 break;
             }
         }
+        let best = best.map(|best| best.plan);
         if best.as_ref().is_some_and(|known| self.deviation(known) <= OF_UNMODIFIED * self.unmodified(known))
         {
             return best;
@@ -194,9 +220,35 @@ impl PlanTask<'_> {
         let further = FURTHER.into_iter().find_map(|near| {
             let within = Within { tolerance: near * self.tolerance, on_worm: true, ..first };
             let task = task_on((&grid, FIT_INTERVALS), within)?;
-            tried.iter().filter_map(|&ratio| self.fitted_at(&task, &grid, ratio, ruled).ok()).min_by(nearer)
+            let fitted = |&ratio: &f64| Some(self.fitted_at(&task, &grid, ratio, ruled).ok()?.plan);
+            tried.iter().filter_map(fitted).min_by(nearer)
         });
         best.into_iter().chain(further).min_by(nearer)
+    }
+
+    /// How near any flank of the class comes to the target, for a plan that misses it. `None` where no programme tells.
+    pub(super) fn least_deviation(&self, plan: &GrindingPlan) -> Option<LeastDeviation> {
+        let grid = PlanningGrid::new(self.setup, SCAN_GRID[0], SCAN_GRID[1]);
+        let asked = (&self.targets, self.tolerance_map.as_ref(), self.keeps_natural_twist());
+        let within = Within::new(self.tolerance, self.limits);
+        let rules = (self.free_dresser, self.dressing);
+        let task = BestFitTask::new(self.setup, asked, (&grid, FIT_INTERVALS), rules, within).ok()?;
+        let least = task.least(self.ratio, self.least_determinant)?;
+        let ground = Sides::try_from_fn(|flank| {
+            let Some(made) = &plan.flanks[flank] else { return Ok(None) };
+            let cos = self.setup.lines[flank].cos_b2;
+            let contacts = made.tool.ground(self.setup, flank, &grid, &plan.ideal.motion)?;
+            Ok::<_, GeneratingError>(Some(contacts.iter().map(|at| at.f_n / cos).collect()))
+        });
+        let beyond_class = task.beyond_class(plan.choice.ratio, &ground.ok()?)?;
+        let normal = |share: f64| share * self.tolerance;
+        Some(LeastDeviation {
+            ratio: least.ratio,
+            first_order: normal(least.all),
+            beyond_class: normal(beyond_class),
+            without_axes: normal(least.without_axes),
+            without_envelope: normal(least.without_envelope),
+        })
     }
 
     /// The best fit at one ratio, carried out.
@@ -206,7 +258,7 @@ impl PlanTask<'_> {
         grid: &PlanningGrid,
         ratio: f64,
         ruled: &Result<GrindingPlan, Box<NoPlan>>,
-    ) -> Result<GrindingPlan, GeneratingError> {
+    ) -> Result<FittedPlan, GeneratingError> {
         let place = *self.places.first().ok_or(GeneratingError::NoFlank)?;
         let which = self.rule(grid).which();
         let [from, to] = self.setup.occupation(&FeedLaw::Ratio(ratio).law(self.setup, &which), &which);
@@ -222,6 +274,7 @@ impl PlanTask<'_> {
         let begun = CarriedOut { fit: ideal.fit, made, contacts };
         let (dressed, dressed_record) = self.settled(task, begun, DRESSED_ROUNDS, dressed);
         self.unbroken(grid, &dressed.contacts)?;
+        let folds = dressed.fit.least_between(&dressed.contacts) < FOLDED * self.least_determinant;
         self.on_the_worm(&dressed.contacts)?;
         let mut equipped = dressed.made;
         equipped.ideal.outside = dressed.fit.off;
@@ -250,7 +303,9 @@ impl PlanTask<'_> {
             let (ratio, limit) = (plan.determinant, self.least_determinant);
             return Err(GeneratingError::EnvelopeBroken { flank: rule.which()[0], ratio, limit });
         }
-        Ok(plan)
+        // What folds between the points of the grid may look well on them.
+        let strain = self.strain_of(&plan) + if folds { self.tolerance } else { 0.0 };
+        Ok(FittedPlan { plan, strain, folds })
     }
 
     /// The first command with its contacts. Where it folds, a share of what is wanted comes first, and more of it from the contacts of each
@@ -322,8 +377,9 @@ impl PlanTask<'_> {
             match (carried, now) {
                 (Some((tool, at)), Some(now)) if now < off => {
                     let settles = now > WORTH * off && now <= self.tolerance;
+                    failed = if now > HARDLY * off { failed + 1 } else { 0 };
                     (fit, made, contacts, off) = (tried, tool, at, now);
-                    (hold, failed) = (HOLD.max(hold / LOOSER), 0);
+                    hold = HOLD.max(hold / LOOSER);
                     if settles {
                         break;
                     }

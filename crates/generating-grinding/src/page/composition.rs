@@ -1,6 +1,7 @@
 //! Puts the sections of a page on ground flanks in their order. Whatever is absent leaves no trace on the page.
 
 use super::content::GrindingPage;
+use super::drawn_values::drawn_values;
 use super::{motions, ratio, strokes, summary};
 use report::charts::{ChartError, DressingSectionChart, dressing_section_chart, worm_occupation_chart};
 use report::head::scope_blocks;
@@ -26,6 +27,7 @@ impl GrindingPage<'_> {
         let drawn: DrawnFlanks = self.flanks.map(|_, flank| flank.as_ref().map(|flank| flank.stages.clone()));
         let sections = vec![
             Section::new("result-per-flank", "Result per flank", summary::summary(self)),
+            Section::new("values-of-the-drawing", "Values of the drawing", drawn_values(self)),
             Section::new("scope-of-the-verdict", "Scope of the verdict", scope_blocks(self.verdict)),
             Section::new("warnings", "Warnings", self.warnings()),
             Section::new("gear-and-tools", "Gear and tools", self.data_sheets()),

@@ -3,6 +3,7 @@
 mod composition;
 mod content;
 mod control;
+mod drawn_values;
 mod motions;
 mod programs;
 mod quantities;

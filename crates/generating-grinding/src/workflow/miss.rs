@@ -4,7 +4,7 @@
 use super::line_dressing::LineDressingResult;
 use super::prepare::Prepared;
 use super::refusal::{exact_beyond_axis_limits, stated_ratio};
-use super::result::FlankResult;
+use super::result::{FlankResult, LeastDeviationResult};
 use foundation::geometry::Flank;
 use generating::{GrindingPlan, ProfilePlace, RatioReason, natural_twist};
 use std::collections::BTreeMap;
@@ -16,6 +16,8 @@ pub struct Miss<'a> {
     pub prepared: &'a Prepared,
     /// The plan; `None` for a simulation of given settings.
     pub plan: Option<&'a GrindingPlan>,
+    /// How near any flank could come, where that is known.
+    pub least: Option<&'a LeastDeviationResult>,
     /// What came out.
     pub flanks: &'a BTreeMap<&'static str, FlankResult>,
     /// Diagonal ratio.
@@ -28,10 +30,12 @@ const WORTH_NAMING: f64 = 0.1;
 /// The first cause that explains the miss.
 pub fn missed(miss: &Miss<'_>) -> Remark {
     exact_ratio_beyond_axes(miss)
+        .or_else(|| best_fit_missed(miss).filter(|_| !miss.prepared.rules.radial))
         .or_else(|| twist_of_radial_feed(miss))
         .or_else(|| scallops(miss))
         .or_else(|| profile_without_ratio(miss))
         .or_else(|| third_degree_beside_a_given_dresser(miss))
+        .or_else(|| best_fit_missed(miss))
         .or_else(|| outside_class(miss))
         .or_else(|| worm_not_dressed(miss))
         .unwrap_or_else(|| not_closer(miss))
@@ -63,6 +67,55 @@ fn exact_ratio_beyond_axes(miss: &Miss<'_>) -> Option<Remark> {
             choice.ratio, best.ratio
         ),
         capitalised(&format!("{}.", stated_ratio(best))),
+    ))
+}
+
+/// A best fit that is not within the tolerance: how near any could come, and which limit counts.
+fn best_fit_missed(miss: &Miss<'_>) -> Option<Remark> {
+    let least = miss.least?;
+    let tolerance = miss.tolerance_um();
+    let LeastDeviationResult {
+        planned_um, bound_um, first_order_um, beyond_class_um, diagonal_ratio, ..
+    } = least;
+    let over = match miss.prepared.rules.given_ratio {
+        Some(_) => "at the given diagonal ratio".to_owned(),
+        None => format!(
+            "at any diagonal ratio that the worm is wide enough for (the nearest at {diagonal_ratio:.4})"
+        ),
+    };
+    let conclusion = if least.proven {
+        "So the miss is proven."
+    } else if *bound_um > tolerance {
+        "So none is within the tolerance; that none comes nearer than this plan is unproven."
+    } else {
+        "So the miss is unproven: a nearer flank may exist."
+    };
+    let gains = |without: f64| first_order_um - without > WORTH_NAMING * tolerance;
+    let (axes, envelope) = (least.without_axis_limits_um, least.without_envelope_limit_um);
+    let (binds, help) = match (gains(axes), gains(envelope)) {
+        (true, _) => (
+            format!(" Without the limits of the axes {axes:.3} um would be left there."),
+            "Widen grinding.axis_limits as far as the machine allows.",
+        ),
+        (_, true) => (
+            format!(" Were the envelope not to stay unbroken, {envelope:.3} um would be left there."),
+            "Make reliefs longer or round their edges (transition_mm), or take a worm with a smaller diameter.",
+        ),
+        _ if *first_order_um > tolerance => (
+            " Neither the limits of the axes nor the envelope count: it is what functions of the worm's lines, the profile and the feed do not carry.".to_owned(),
+            "Take a wider worm or one with more threads, smoother modifications, one flank at a time (grinding.flanks), or a wider tolerance.",
+        ),
+        _ => (
+            String::new(),
+            "Make reliefs longer or round their edges (transition_mm), give a ratio (grinding.diagonal_ratio) near that one, or widen the tolerance.",
+        ),
+    };
+    Some(Remark::new(
+        "best-fit-missed",
+        format!(
+            "This plan leaves {planned_um:.3} um. No flank of the class of best fits on these bodies comes nearer than {bound_um:.3} um {over}, within the limits of the axes and the least determinant ratio: {first_order_um:.3} um to first order, less {beyond_class_um:.3} um by which what is ground lies beyond the class. {conclusion}{binds}"
+        ),
+        help,
     ))
 }
 

@@ -4,6 +4,7 @@ pub mod catalogue;
 pub mod control;
 pub mod correction_series;
 pub mod derived;
+pub mod drawn_values;
 pub mod dressing_model;
 pub mod dressing_study;
 pub mod equal_ratio_offers;

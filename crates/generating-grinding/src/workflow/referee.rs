@@ -300,6 +300,47 @@ pub fn worm_rays(
     })
 }
 
+/// The stage in which a worm with this modification grinds a flank.
+fn grinding<'a>(
+    setup: &'a GrindingSetup,
+    execution: &'a Execution,
+    (flank, stock): (Flank, f64),
+    modification: &'a dyn WormModification,
+    cutting: Cutting<'a>,
+) -> Grinding<'a> {
+    let [w, z] = modification.domain();
+    Grinding {
+        worm: setup.pair.worm.flank(flank),
+        area: WormArea { w, z },
+        modification,
+        work: setup.pair.work.flank(flank),
+        motion: &execution.motion,
+        feed_range: execution.feed_range,
+        stock,
+        threads: cutting.threads(),
+        mode: GrindingMode::Continuous,
+    }
+}
+
+/// Lengths of rays at other places of a flank that the worm of a verdict ground, row by row over the profile, mm; `None` for a flank that
+/// is not ground.
+///
+/// # Errors
+/// Those of the stage.
+pub fn rays_at(
+    setup: &GrindingSetup,
+    execution: &Execution,
+    (flank, verdict): (Flank, &Verdict),
+    cutting: Cutting<'_>,
+    grid: &RayGrid,
+) -> Result<Option<Vec<f64>>, RemovalError> {
+    let Some(executed) = &execution.flanks[flank] else { return Ok(None) };
+    let Some(modification) = verdict.worm(&executed.tool) else { return Ok(None) };
+    let stock = stock(setup.pair.worm.flank(flank), executed.target.largest());
+    let grinding = grinding(setup, execution, (flank, stock), modification, cutting);
+    grind(&grinding, grid, &Silent)?.lengths().map(Some)
+}
+
 fn run_flank(
     setup: &GrindingSetup,
     execution: &Execution,
@@ -308,26 +349,13 @@ fn run_flank(
     progress: &dyn Progress,
 ) -> Result<Option<Verdict>, RemovalError> {
     let Some(executed) = &execution.flanks[flank] else { return Ok(None) };
-    let (worm, work) = (setup.pair.worm.flank(flank), setup.pair.work.flank(flank));
-    let stock = stock(worm, executed.target.largest());
+    let stock = stock(setup.pair.worm.flank(flank), executed.target.largest());
     let dressed = on_worm(setup, execution, flank, |stages, w, z| rayed(stages, w, z, progress))?;
     let Some(modification) = worm_function(&executed.tool, dressed.as_ref().map(|worm| &worm.surface)) else {
         return Ok(None);
     };
-    let [w, z] = modification.domain();
-    let area = dressed.as_ref().map_or(WormArea { w, z }, |worm| worm.area);
     let grid = RayGrid::new(executed.target.w.clone(), executed.target.z.clone())?;
-    let grinding = Grinding {
-        worm,
-        area,
-        modification,
-        work,
-        motion: &execution.motion,
-        feed_range: execution.feed_range,
-        stock,
-        threads: cutting.threads(),
-        mode: GrindingMode::Continuous,
-    };
+    let grinding = grinding(setup, execution, (flank, stock), modification, cutting);
     let ground = grind(&grinding, &grid, progress)?;
     let feed_mark =
         cutting.feed_per_revolution.map(|feed| feed_mark(&grinding, feed, &executed.target, progress));

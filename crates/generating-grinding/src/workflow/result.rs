@@ -1,5 +1,6 @@
 //! `result.json`: what a plan or a simulation came to, with units in the key names (`README.md`).
 
+use super::drawn_values::TraceResult;
 use super::gear_root::GearRootResult;
 use super::line_dressing::LineDressingResult;
 use super::partition::Partition;
@@ -8,7 +9,7 @@ use crate::job::Settings;
 use crate::workflow::control::result::ControlResult;
 use crate::workflow::programs::result::ProgramsResult;
 use foundation::geometry::Sides;
-use generating::Candidate;
+use generating::{Candidate, LeastDeviation};
 use run::{CharacteristicsUm, FlankMaps};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -50,6 +51,8 @@ pub struct FlankResult {
     pub target_characteristics: CharacteristicsUm,
     /// Characteristics of the simulated flank.
     pub simulated_characteristics: CharacteristicsUm,
+    /// Traces where the drawing has them, evaluated as those of a measured gear.
+    pub traces: Vec<TraceResult>,
     /// Largest part of the target outside the producible class, normal.
     pub outside_class_um: f64,
     /// Largest |planned - target| inside the cells of the grid, where reliefs or waves stand on the tool's lines.
@@ -158,6 +161,50 @@ pub struct SettingsResult {
     pub demanded_ratios: Option<Sides<Vec<f64>>>,
 }
 
+/// How near any flank of the class of best fits comes to a target that is missed, over all diagonal ratios that the worm is wide enough for;
+/// normal.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct LeastDeviationResult {
+    /// Ratio at which least is left.
+    pub diagonal_ratio: f64,
+    /// What is left there at least within the limits of axes and envelope, to first order.
+    pub first_order_um: f64,
+    /// How far the planned flank lies from the class: the higher order that the bound neglects.
+    pub beyond_class_um: f64,
+    /// The bound: the first less the second.
+    pub bound_um: f64,
+    /// What the plan leaves.
+    pub planned_um: f64,
+    /// What is left at that ratio without the limits of the axes, to first order.
+    pub without_axis_limits_um: f64,
+    /// What is left at that ratio without the limit of the envelope, to first order.
+    pub without_envelope_limit_um: f64,
+    /// Whether the bound is above the tolerance and the plan next to the bound.
+    pub proven: bool,
+}
+
+impl LeastDeviationResult {
+    /// Of a plan that leaves `planned_um` of a target with a tolerance.
+    pub fn of(least: &LeastDeviation, planned_um: f64, tolerance_um: f64) -> Self {
+        let bound_um = least.bound() * 1e3;
+        Self {
+            diagonal_ratio: least.ratio,
+            first_order_um: least.first_order * 1e3,
+            beyond_class_um: least.beyond_class * 1e3,
+            bound_um,
+            planned_um,
+            without_axis_limits_um: least.without_axes * 1e3,
+            without_envelope_limit_um: least.without_envelope * 1e3,
+            proven: bound_um > tolerance_um
+                && planned_um - bound_um <= NEXT_TO_BOUND_UM.max(NEXT_TO_BOUND * tolerance_um),
+        }
+    }
+}
+
+/// A plan that leaves no more than this beyond the bound, or this share of the tolerance, is next to it.
+const NEXT_TO_BOUND_UM: f64 = 0.2;
+const NEXT_TO_BOUND: f64 = 0.1;
+
 /// The whole document.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct JobResult {
@@ -178,6 +225,9 @@ pub struct JobResult {
     pub settings: SettingsResult,
     /// Flanks that are ground.
     pub flanks: BTreeMap<&'static str, FlankResult>,
+    /// How near any flank could come; absent unless a plan misses its target and best fits know its bodies.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub least_deviation: Option<LeastDeviationResult>,
     /// The root of the gear; absent unless the worm's tip grinds it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gear_root: Option<GearRootResult>,

@@ -1,5 +1,6 @@
 //! `plan` and `simulate`: from a checked job to result, tables and report.
 
+use super::drawn_values::{drawn_values, judge_traces};
 use super::equal_ratio_offers::equal_ratio_remark;
 use super::execution::Execution;
 use super::flank_verdict::{
@@ -13,7 +14,7 @@ use super::partition::Partition;
 use super::prepare::{GivenSettings, Prepared, prepare};
 use super::referee::{self, Cutting};
 use super::refusal::{of_planning, of_simulation};
-use super::result::{CandidateResult, FlankResult, JobResult, SettingsResult};
+use super::result::{CandidateResult, FlankResult, JobResult, LeastDeviationResult, SettingsResult};
 use super::tip_edge::{judge_tip_edge, tip_edge_depths};
 use super::tip_land::TipLands;
 use crate::job::LoadedJob;
@@ -130,6 +131,11 @@ fn finish(
             |refused| of_planning(refused, &prepared),
         )
     })?;
+    let traces = Sides::try_from_fn(|flank| match &verdicts[flank] {
+        Some(verdict) => drawn_values(&prepared, &execution, (flank, verdict), cutting),
+        None => Ok(Vec::new()),
+    })
+    .map_err(|e| of_simulation(&e, &prepared, plan.is_some()))?;
     let gear_root = gear_root(&prepared, &execution)?;
     let tip_edge = tip_edge_depths(&prepared, &execution)?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
@@ -176,6 +182,7 @@ fn finish(
                 feed_mark_um: verdict.feed_mark.as_ref().and_then(|h| h.as_ref().ok()).map(|h| h * 1e3),
                 target_characteristics: CharacteristicsUm::of(&executed.target, cos_b),
                 simulated_characteristics: CharacteristicsUm::of(&verdict.simulated, cos_b),
+                traces: traces[flank].clone(),
                 outside_class_um: outside[flank] * cos_b * 1e3,
                 planned_between_um: plan.as_ref().map(|p| p.between[flank] * 1e3).filter(|&um| um > 0.0),
                 least_determinant_ratio: executed.determinant,
@@ -195,23 +202,24 @@ fn finish(
             && f.planned_between_um.is_none_or(|between| between <= allowed)
     };
     let mut verdict = Verdict::new();
+    let least_deviation = plan.as_ref().and_then(|plan| plan.least).map(|least| {
+        let left = flanks.values().map(|flank| flank.tolerance_share * tolerance).fold(0.0, f64::max);
+        LeastDeviationResult::of(&least, left, tolerance)
+    });
+    let why = || {
+        missed(&Miss {
+            prepared: &prepared,
+            plan: plan.as_ref(),
+            least: least_deviation.as_ref(),
+            flanks: &flanks,
+            ratio: execution.ratio,
+        })
+    };
     for (name, flank) in &flanks {
-        judge_flank(
-            &mut verdict,
-            name,
-            flank,
-            (tolerance, prepared.judged_on.as_deref()),
-            met(flank),
-            || {
-                missed(&Miss {
-                    prepared: &prepared,
-                    plan: plan.as_ref(),
-                    flanks: &flanks,
-                    ratio: execution.ratio,
-                })
-            },
-        );
+        let judged_on = (tolerance, prepared.judged_on.as_deref());
+        judge_flank(&mut verdict, name, flank, judged_on, met(flank), why);
     }
+    judge_traces(&mut verdict, &flanks, why);
     for (name, flank) in &flanks {
         let limit = prepared.rules.least_determinant();
         judge_envelope(&mut verdict, name, flank.least_determinant_ratio, limit);
@@ -249,6 +257,7 @@ fn finish(
         warnings,
         settings: settings_result(&prepared, &execution, plan.as_ref(), partition, &tip_lands),
         flanks,
+        least_deviation,
         gear_root,
         control,
         programs: programs.as_ref().map(|programs| programs.result.clone()),

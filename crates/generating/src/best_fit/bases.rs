@@ -20,6 +20,21 @@ pub struct Place {
     pub at: Arguments,
 }
 
+impl Place {
+    /// The place at a share of the way to another.
+    pub fn towards(&self, other: &Self, share: f64) -> Self {
+        let between = |a: f64, b: f64| a + share * (b - a);
+        Self {
+            w: between(self.w, other.w),
+            at: Arguments {
+                x: between(self.at.x, other.at.x),
+                profile: between(self.at.profile, other.at.profile),
+                path: between(self.at.path, other.at.path),
+            },
+        }
+    }
+}
+
 /// One function: its B-splines and where its coefficients stand.
 #[derive(Clone, Debug)]
 pub struct Block {
@@ -57,12 +72,18 @@ impl Block {
         (self.first + first, jets.map(|[f, f1, _]| [f + f1 * (x - end), f1, 0.0]))
     }
 
+    /// Distance of its knots.
+    fn step(&self) -> f64 {
+        let [low, high] = self.basis.interval();
+        (high - low) / (self.basis.count() - DEGREE) as f64
+    }
+
     /// Adds the squares of second differences beyond the flank, where hardly any place tells what the function is: it goes on straight.
     pub fn straight_beyond(&self, weight: f64, form: &mut Vec<(usize, usize, f64)>) {
         let count = self.basis.count().saturating_sub(2);
-        let [low, high] = self.basis.interval();
+        let [low, _] = self.basis.interval();
         // About the middle of a B-spline: coefficients stand evenly but for the last two at each end.
-        let step = (high - low) / (self.basis.count() - DEGREE) as f64;
+        let step = self.step();
         let middle = |j: usize| low + (j as f64 - 0.5 * (DEGREE - 1) as f64) * step;
         for j in (0..count).filter(|&j| !(self.flank[0]..=self.flank[1]).contains(&middle(j + 1))) {
             square(&[1.0, -2.0, 1.0], weight / count as f64, self.first + j, form);
@@ -160,6 +181,12 @@ impl Bases {
     /// Number of coefficients.
     pub fn columns(&self) -> usize {
         self.columns
+    }
+
+    /// How far two places are apart, in knots of the function for which that is most.
+    pub fn apart(&self, a: &Place, b: &Place) -> f64 {
+        let of = |block: &Block| (block.argument(a) - block.argument(b)).abs() / block.step();
+        self.blocks.iter().map(of).fold(0.0, f64::max)
     }
 
     /// The factor u of F_L at a length of roll, and its derivative.

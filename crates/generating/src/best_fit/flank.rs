@@ -8,7 +8,7 @@ use super::super::least_squares::{
 use super::super::{GeneratingError, GrindingSetup};
 use super::bases::{Bases, Place, Ranges};
 use super::envelope::{Envelope, Section};
-use super::programme::{AxisShares, Curvature, FlankProgramme, Held, Reach};
+use super::programme::{AxisShares, Curvature, FlankProgramme, Held, Limits, Reach};
 use super::smoother::{Rows, Smoother};
 use super::within::Within;
 use contact::ContactSolution;
@@ -23,6 +23,8 @@ const BEYOND: f64 = 8.0;
 const BESIDE: [f64; 3] = [1.5, 3.5, 6.0];
 /// Smoothness tried for a planned flank, from smooth to rough.
 const SMOOTHNESS: [f64; 9] = [1e2, 1e1, 1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
+/// Smoothness of the flank of the class next to another.
+const ROUGHEST: f64 = 1e-6;
 /// Weight of the second differences beyond the flank over that of the smoothness, where least squares tell what a programme costs.
 const BEYOND_BY_SMOOTHNESS: f64 = 10.0;
 /// Curvature of a planned flank over that of the gap: hollows stay well below 1, where the envelope breaks; crests keep a determinant ratio of
@@ -171,6 +173,20 @@ impl<'a> FlankFit<'a> {
         programmed.map_or(f64::INFINITY, |programmed| programmed.cost)
     }
 
+    /// A lower bound of what is left of the target, in tolerances, to first order: any flank of the class within the limits.
+    pub fn least(&self, least_determinant: f64, limits: Limits) -> Option<f64> {
+        let places = self.unmoved();
+        let rules = (Curvature::possible(least_determinant), None);
+        // What lies beside the face is bounded for the sake of the contact, not of the flank.
+        FlankProgramme { beside: &[], ..self.programme(&places, self.wanted, rules) }.least_excess(limits)
+    }
+
+    /// How far a flank lies from the class, transverse, mm: `flank` are its values on the grid, transverse, mm.
+    pub fn beyond_class(&self, flank: &[f64]) -> Option<f64> {
+        let x = Smoother::new(&self.bases, &self.rows, flank).fit(ROUGHEST, 0.0)?;
+        Some(self.largest(self.rows.values(&x).iter().zip(flank).map(|(of_class, f)| f - of_class)))
+    }
+
     /// No less than that, by least squares, in a fraction of the time.
     pub fn quick_estimate(&self) -> f64 {
         let places = self.unmoved();
@@ -230,6 +246,24 @@ impl<'a> FlankFit<'a> {
         }
     }
 
+    /// The places at which the tool touched, by the contacts on the grid.
+    fn touched(&self, at: &[(ContactSolution, (f64, f64))]) -> Vec<(Place, Section)> {
+        at.iter()
+            .zip(self.points())
+            .map(|((contact, foot), (section, w, z))| {
+                let there = self.envelope.section(self.envelope.roll_of_contact(section, (w, z), *foot));
+                (self.envelope.place_of_contact(*foot, contact.feed), there.unwrap_or(*section))
+            })
+            .collect()
+    }
+
+    /// Least determinant ratio of a command where the tool touched and between, in second order; `None` where the gap is not open.
+    pub fn least_between(&self, command: &FlankCommand, at: &[(ContactSolution, (f64, f64))]) -> Option<f64> {
+        let places = self.touched(at);
+        let rules = (Curvature::COMMAND, None);
+        self.programme(&places, self.wanted, rules).least_determinant(&command.coefficients)
+    }
+
     /// The next command, for a share of what is wanted, from where the tool touched: `at` are the contacts on the grid with their points
     /// (w_1, z_1) on the unmodified worm. The flank follows the command one to one at a foot that is held; `hold` is the price of moving it.
     pub fn next(
@@ -238,14 +272,7 @@ impl<'a> FlankFit<'a> {
         at: &[(ContactSolution, (f64, f64))],
         (share, hold, cos_b2): (f64, f64, f64),
     ) -> Option<FlankCommand> {
-        let places: Vec<(Place, Section)> = at
-            .iter()
-            .zip(self.points())
-            .map(|((contact, foot), (section, w, z))| {
-                let there = self.envelope.section(self.envelope.roll_of_contact(section, (w, z), *foot));
-                (self.envelope.place_of_contact(*foot, contact.feed), there.unwrap_or(*section))
-            })
-            .collect();
+        let places = self.touched(at);
         let own: Vec<Place> = places.iter().map(|(place, _)| *place).collect();
         let commanded = Rows::new(&self.bases, &own).values(&command.coefficients);
         let values: Vec<f64> = commanded

@@ -5,6 +5,7 @@
 //! envelope ask for, and no command folds that need not.
 
 mod bases;
+mod bound;
 mod envelope;
 mod flank;
 mod planner;

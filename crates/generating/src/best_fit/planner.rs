@@ -8,7 +8,7 @@ use super::super::{
     IdealPlan, PlanningGrid, Prefer,
 };
 use super::flank::{FlankCommand, FlankFit};
-use super::programme::AxisShares;
+use super::programme::{AxisShares, Limits};
 use super::ratios::{candidates, fits};
 use super::within::Within;
 use contact::ContactSolution;
@@ -166,6 +166,45 @@ impl<'a> BestFitTask<'a> {
         })
     }
 
+    /// The bodies.
+    pub fn setup(&self) -> &GrindingSetup {
+        self.setup
+    }
+
+    /// Flanks that are ground.
+    pub fn which(&self) -> &[Flank] {
+        &self.which
+    }
+
+    /// What the flank that fares worse leaves at one ratio at least, in tolerances.
+    pub fn least_at(&self, ratio: f64, least_determinant: f64, limits: Limits) -> Option<f64> {
+        let fits = self.fits(ratio).ok()?;
+        let mut least: f64 = 0.0;
+        for (_, fit) in fits.iter() {
+            let Some(fit) = fit else { continue };
+            least = least.max(fit.least(least_determinant, limits)?);
+        }
+        Some(least)
+    }
+
+    /// How far ground flanks lie from the class at a ratio, in tolerances: `ground` are their values on the grid, transverse, mm.
+    pub fn beyond_class(&self, ratio: f64, ground: &Sides<Option<Vec<f64>>>) -> Option<f64> {
+        let fits = self.fits(ratio).ok()?;
+        let mut most: f64 = 0.0;
+        for (flank, fit) in fits.iter() {
+            let (Some(fit), Some(ground)) = (fit, &ground[flank]) else { continue };
+            let places = self.grid.w[flank].iter().flat_map(|&w| self.grid.z.iter().map(move |&z| (w, z)));
+            let mut own = ground.clone();
+            for ((w, z), f) in places.zip(&mut own) {
+                for made in &self.given[flank] {
+                    *f -= made.value(w, z).ok()?;
+                }
+            }
+            most = most.max(fit.beyond_class(&own)? * self.setup.lines[flank].cos_b2);
+        }
+        Some(most / self.within.tolerance)
+    }
+
     fn cost(&self, ratio: f64, of_flank: impl Fn(&FlankFit<'_>) -> f64) -> f64 {
         let fits = self.fits(ratio);
         fits.map_or(f64::INFINITY, |fits| {
@@ -280,6 +319,16 @@ impl BestFit<'_> {
         let commands = Sides { left, right };
         let whole = commands.iter().all(|(flank, next)| next.is_some() == self.commands[flank].is_some());
         whole.then(|| Self { commands, ..self.clone() })
+    }
+
+    /// Least determinant ratio of the commands between contacts on the grid, where each stands for itself: what a grid passes over.
+    pub fn least_between(&self, contacts: &Sides<Option<Contacts>>) -> f64 {
+        let of_flank = |flank: Flank| {
+            let (fit, command, at) =
+                (self.fits[flank].as_ref()?, self.commands[flank].as_ref()?, contacts[flank].as_ref()?);
+            fit.least_between(command, at)
+        };
+        Flank::BOTH.into_iter().filter_map(of_flank).fold(f64::INFINITY, f64::min)
     }
 
     /// Notes what contacts leave; the largest, normal, mm.

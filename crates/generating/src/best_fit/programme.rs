@@ -23,6 +23,11 @@ impl Curvature {
     pub const COMMAND: Self = Self { free: [-0.4, 1.0], by_bend: [-1.0, 4.4] };
     /// Of the flank that is left; x of the flank is x/(1 - x) of its command.
     pub const FLANK: Self = Self { free: [-0.67, 0.5], by_bend: [-5.5, 0.67] };
+
+    /// Of the flank that is left: all that a contact of a least determinant ratio can leave.
+    pub fn possible(least_determinant: f64) -> Self {
+        Self { free: [1.0 - least_determinant.recip(), 1.0], by_bend: [0.0, 0.0] }
+    }
 }
 
 /// What an excess of 1, the tolerance, adds to the largest bend.
@@ -46,6 +51,13 @@ const TRAVEL: f64 = 1e-5;
 const RIDGE: f64 = 1e-9;
 /// Weight of the second differences beyond the flank.
 const BEYOND: f64 = 10.0;
+/// A quadratic form that weighs nothing, for programmes without one; mm^2 of coefficients in tolerances.
+const NO_FORM: f64 = 1e-9;
+/// Largest distance of places at which curvatures are bounded where it is looked at closely, and of those at which a command is judged, in knots.
+const CLOSENESS: f64 = 1.5;
+const JUDGED: f64 = 0.5;
+/// Parts into which a distance between places is divided, at most.
+const MOST_BETWEEN: f64 = 16.0;
 /// Accuracy of the interior points.
 const ACCURACY: f64 = 1e-6;
 
@@ -121,6 +133,15 @@ pub struct Held<'a> {
     pub price: f64,
 }
 
+/// Limits that a lower bound knows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Those of the curvature, which keep the envelope unbroken.
+    pub envelope: bool,
+    /// Those of the axes.
+    pub axes: bool,
+}
+
 impl FlankProgramme<'_> {
     /// Coefficients, mm, and what they cost: 0.2 where nothing is difficult, 1 about at the tolerance. `None` if the programme cannot be solved.
     pub fn solve(&self) -> Option<(Vec<f64>, f64)> {
@@ -134,7 +155,7 @@ impl FlankProgramme<'_> {
         }
         let room = vec![(bend, -1.0), (excess, BEND_BY_EXCESS)];
         programme.positive.push(Affine { entries: room, constant: self.within.bend });
-        self.stay_near(&mut programme);
+        self.stay_near(NEAR, &mut programme);
         self.keep_envelope(&mut programme)?;
         self.keep_reach(&mut programme);
         self.keep_axes(&mut programme);
@@ -147,6 +168,29 @@ impl FlankProgramme<'_> {
         Some((x, cost))
     }
 
+    /// A lower bound of what any functions of the class leave of what is wanted at these places, in tolerances, within the limits of the axes and of
+    /// the curvature at no bend. `None` if the programme cannot be solved.
+    pub fn least_excess(&self, limits: Limits) -> Option<f64> {
+        let columns = self.bases.columns();
+        let mut programme = ConeProgramme { cost: vec![0.0; columns + 2], ..ConeProgramme::default() };
+        let (excess, bend) = (columns, columns + 1);
+        programme.cost[excess] = 1.0;
+        programme.positive.push(Affine { entries: vec![(excess, 1.0)], constant: 0.0 });
+        // As far as the axes may go; the curvature knows no bend.
+        for (sign, constant) in [(1.0, 0.0), (-1.0, 1.0 - AXES)] {
+            programme.positive.push(Affine { entries: vec![(bend, sign)], constant });
+        }
+        self.stay_near(0.0, &mut programme);
+        if limits.envelope {
+            self.keep_envelope(&mut programme)?;
+        }
+        if limits.axes {
+            self.keep_axes(&mut programme);
+        }
+        programme.quadratic.extend((0..columns + 2).map(|k| (k, k, NO_FORM)));
+        programme.solve(ACCURACY).map(|optimum| optimum.bound.max(0.0))
+    }
+
     /// What the programme costs at most: as much as with these coefficients, mm, which leave `off`, in tolerances. `None` where they are beyond
     /// the limits. Does not know the ends of the worm.
     pub fn cost_of(&self, x: &[f64], off: f64) -> Option<f64> {
@@ -156,20 +200,32 @@ impl FlankProgramme<'_> {
             let share: f64 = entries.iter().map(|&(k, share)| share * x[k]).sum();
             bend = bend.max(share.abs() - AXES);
         });
-        for (place, section) in self.bounded() {
-            let [a, b, c] = self.envelope.curvature_rows(section, self.bases, place)?;
-            let value = |row: &[(usize, f64)]| row.iter().map(|&(k, by)| by * x[k]).sum::<f64>();
-            let [a, b, c] = [value(&a), value(&b), value(&c)];
-            let (middle, half) = (0.5 * (a + c), f64::hypot(0.5 * (a - c), b));
-            for (side, curved) in [middle - half, middle + half].into_iter().enumerate() {
+        for at in &self.bounded() {
+            for (side, curved) in self.curvature(x, at)?.into_iter().enumerate() {
                 bend = bend.max((curved - self.curvature.free[side]) / self.curvature.by_bend[side]);
             }
         }
         (bend <= self.within.bend + BEND_BY_EXCESS * excess).then_some(NEAR + excess + bend)
     }
 
-    /// |wanted - f| <= NEAR + excess, in tolerances of the place.
-    fn stay_near(&self, programme: &mut ConeProgramme) {
+    /// Extremes of the curvature of functions with these coefficients, mm, over that of the gap.
+    fn curvature(&self, x: &[f64], (place, section): &(Place, Section)) -> Option<[f64; 2]> {
+        let [a, b, c] = self.envelope.curvature_rows(section, self.bases, place)?;
+        let value = |row: &[(usize, f64)]| row.iter().map(|&(k, by)| by * x[k]).sum::<f64>();
+        let [a, b, c] = [value(&a), value(&b), value(&c)];
+        let (middle, half) = (0.5 * (a + c), f64::hypot(0.5 * (a - c), b));
+        Some([middle - half, middle + half])
+    }
+
+    /// Least determinant ratio of a command, mm, where the tool touches and between: in the direction in which it is least.
+    pub fn least_determinant(&self, x: &[f64]) -> Option<f64> {
+        let at = self.thinned().map(|(_, at)| *at).chain(self.between(JUDGED));
+        at.map(|at| Some(1.0 + self.curvature(x, &at)?[0]))
+            .try_fold(f64::INFINITY, |least, one| Some(f64::min(least, one?)))
+    }
+
+    /// |wanted - f| <= near + excess, in tolerances of the place.
+    fn stay_near(&self, near: f64, programme: &mut ConeProgramme) {
         let excess = self.bases.columns();
         let mut row = Vec::new();
         for (((place, _), wanted), weight) in self.places.iter().zip(self.wanted).zip(self.weights) {
@@ -179,7 +235,7 @@ impl FlankProgramme<'_> {
             for sign in [1.0, -1.0] {
                 let mut entries: Vec<(usize, f64)> = row.iter().map(|&(k, a)| (k, -sign * a)).collect();
                 entries.push((excess, 1.0));
-                programme.positive.push(Affine { entries, constant: NEAR + sign * wanted });
+                programme.positive.push(Affine { entries, constant: near + sign * wanted });
             }
         }
     }
@@ -195,8 +251,33 @@ impl FlankProgramme<'_> {
     }
 
     /// Places at which the curvature is bounded.
-    fn bounded(&self) -> impl Iterator<Item = &(Place, Section)> {
-        self.thinned().map(|(_, at)| at).chain(self.beside)
+    fn bounded(&self) -> Vec<(Place, Section)> {
+        let mut bounded: Vec<(Place, Section)> = self.thinned().map(|(_, at)| *at).collect();
+        if self.within.closely {
+            bounded.extend(self.between(CLOSENESS));
+        }
+        bounded.extend(self.beside);
+        bounded
+    }
+
+    /// Places between neighbours among the thinned ones that a crest has drawn apart, by more knots than `closeness`: a short piece of the flank
+    /// is ground by a long one of the tool there.
+    fn between(&self, closeness: f64) -> Vec<(Place, Section)> {
+        let mut between = Vec::new();
+        for (k, (from, section)) in self.thinned() {
+            let in_row = k % self.row + 2 < self.row;
+            for next in [in_row.then_some(k + 2), Some(k + 2 * self.row)].into_iter().flatten() {
+                let Some((to, there)) = self.places.get(next) else { continue };
+                let parts = (self.bases.apart(from, to) / closeness).ceil().min(MOST_BETWEEN);
+                let mut share = parts.recip();
+                while share < 1.0 - 0.5 / parts {
+                    let section = if share < 0.5 { section } else { there };
+                    between.push((from.towards(to, share), *section));
+                    share += parts.recip();
+                }
+            }
+        }
+        between
     }
 
     /// The tool touches where it still has its profile: the place on the worm moves with the slopes of the command at the foot.
@@ -221,7 +302,7 @@ impl FlankProgramme<'_> {
     /// Both eigenvalues of the curvature over that of the gap between their limits.
     fn keep_envelope(&self, programme: &mut ConeProgramme) -> Option<()> {
         let bend = self.bases.columns() + 1;
-        for (place, section) in self.bounded() {
+        for (place, section) in &self.bounded() {
             let [a, b, c] = self.envelope.curvature_rows(section, self.bases, place)?;
             let scaled = |row: &[(usize, f64)], by: f64| -> Vec<(usize, f64)> {
                 row.iter().map(|&(k, x)| (k, x * by * self.within.tolerance)).collect()

@@ -16,7 +16,7 @@ pub struct Within {
     pub on_worm: bool,
     /// Largest bend of the command.
     pub bend: f64,
-    /// The bend is looked at at twice as many places.
+    /// The bend is bounded at twice as many places, and between those whose contacts are far apart.
     pub closely: bool,
 }
 

@@ -3,7 +3,7 @@
 use super::targets::{is_ground, tolerance_of_job};
 use crate::job::{Judged, LoadedJob};
 use foundation::geometry::Flank;
-use foundation::modification::ToleranceMap;
+use foundation::modification::{EvaluationField, ToleranceMap};
 use generating::GrindingSetup;
 use job::{Diagnostic, Problem, shown_number};
 use run::modification_finding;
@@ -14,6 +14,32 @@ const BESIDE: f64 = 3.0;
 const STEP: f64 = 1e-6;
 /// Ranges of both flanks that differ by less are one, mm.
 const SAME: f64 = 1e-9;
+
+/// Where the traces of a flank stand that a drawing states values for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TracePlaces {
+    /// Lengths of roll of the helix traces, mm.
+    pub helix_w: Vec<f64>,
+    /// Face positions of the profile traces, mm.
+    pub profile_z: Vec<f64>,
+}
+
+impl TracePlaces {
+    /// Of a flank: those of `target.traces`, else its middles.
+    pub(super) fn of_job(loaded: &LoadedJob, field: &EvaluationField) -> Self {
+        let given = loaded.job.target.traces.clone().unwrap_or_default();
+        let ascending = |places: Option<Vec<f64>>, middle: f64| {
+            let mut places = places.unwrap_or_else(|| vec![middle]);
+            places.sort_by(f64::total_cmp);
+            places.dedup();
+            places
+        };
+        Self {
+            helix_w: ascending(given.helix_w_mm, field.roll_middle()),
+            profile_z: ascending(given.profile_z_mm, field.face_middle()),
+        }
+    }
+}
 
 /// The tolerance over the flanks of a job, and in words where it holds, if that is not everywhere.
 ///

@@ -16,6 +16,7 @@ mod tools;
 pub use bodies::{designed_worm, setup_of_job, worm_choice_of_job};
 pub use cycle::Cycle;
 pub use dressing::{DressingTask, PointDresser};
+pub use judged::TracePlaces;
 use judged::tolerance_over_flank;
 pub use planning::{PlanningRules, axis_limits};
 pub use settings::GivenSettings;
@@ -56,6 +57,8 @@ pub struct Prepared {
     pub tolerance: ToleranceMap,
     /// Where it holds and what is allowed elsewhere, in words; `None` for the whole flank.
     pub judged_on: Option<String>,
+    /// Where the traces stand that a drawing states values for.
+    pub traces: Sides<TracePlaces>,
     /// What planning is asked for.
     pub rules: PlanningRules,
     /// The law of the shift, where the job asks for one in place of a ratio.
@@ -124,6 +127,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
     let shift = shift_of_job(job, &setup, &targets, &tolerance, &which)?;
     let cycle = Cycle::of_job(job)?;
     let dressing = DressingTask::of_job(job);
+    let traces = Sides::from_fn(|flank| TracePlaces::of_job(loaded, &setup.fields[flank]));
     let technology =
         Technology::of_grinding(&job.machine.clone().unwrap_or_default(), &setup, cycle.feed_per_revolution);
     Ok(Prepared {
@@ -140,6 +144,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         reliefs,
         tolerance,
         judged_on,
+        traces,
         rules,
         law: shift.law,
         areas: shift.areas,
