@@ -51,7 +51,8 @@ pub struct FlankResult {
     pub target_characteristics: CharacteristicsUm,
     /// Characteristics of the simulated flank.
     pub simulated_characteristics: CharacteristicsUm,
-    /// Traces where the drawing has them, evaluated as those of a measured gear.
+    /// Traces where the drawing has them, evaluated as those of a measured gear; absent for tangential dressing.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub traces: Vec<TraceResult>,
     /// Largest part of the target outside the producible class, normal.
     pub outside_class_um: f64,

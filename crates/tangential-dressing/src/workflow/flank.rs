@@ -110,6 +110,7 @@ pub(super) fn flank_result(
             line_dressing: None,
             target_characteristics: CharacteristicsUm::of(&run.target, cos_b),
             simulated_characteristics: CharacteristicsUm::of(&run.simulated, cos_b),
+            traces: Vec::new(),
             outside_class_um: 0.0,
             planned_between_um: None,
             least_determinant_ratio: judged.least_ratio(),
