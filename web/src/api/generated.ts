@@ -1996,6 +1996,26 @@ export interface components {
        */
       min_mm: number;
     };
+    /** @description A value that drawings state, transverse; > 0 material removed. */
+    DrawnValue: {
+      /**
+       * Format: double
+       * @description Amount in the drawing, over the whole evaluated length; absent where it names none.
+       */
+      drawn_um?: number | null;
+      /**
+       * Format: double
+       * @description The simulated flank.
+       */
+      made_um: number;
+      /** @description Symbol of ISO 21771: `C_alpha`, `C_Halpha`, `C_alpha_a` (tip), `C_alpha_f` (root), `C_beta`, `C_Hbeta`, `C_beta_I`, `C_beta_II`. */
+      symbol: string;
+      /**
+       * Format: double
+       * @description The target, evaluated as the flank is.
+       */
+      target_um: number;
+    };
     /** @description A disc dresser that is there. Lengths in mm. */
     DresserEntry: {
       /** @description The worm for which it was made. */
@@ -2428,6 +2448,8 @@ export interface components {
        *     worm, over the tightest tolerance. The target is met up to 1.
        */
       tolerance_share: number;
+      /** @description Traces where the drawing has them, evaluated as those of a measured gear; absent for tangential dressing. */
+      traces?: components["schemas"]["TraceResult"][];
       /** @description Lengths of roll of the grid. */
       w_mm: number[];
       /** @description Axial positions of the grid. */
@@ -3052,6 +3074,8 @@ export interface components {
       ideal_error_by_round_um: components["schemas"]["Sides2"];
       /** @description Name of the job. */
       job: string;
+      /** @description How near any flank could come; absent unless a plan misses its target and best fits know its bodies. */
+      least_deviation?: components["schemas"]["LeastDeviationResult"] | null;
       /** @description Process. */
       process: string;
       /** @description NC programs with their proof; absent without a machine. */
@@ -3093,6 +3117,49 @@ export interface components {
       digest: string;
       /** @description Its first file. */
       file: string;
+    };
+    /**
+     * @description How near any flank of the class of best fits comes to a target that is missed, over all diagonal ratios that the worm is wide enough for;
+     *     normal.
+     */
+    LeastDeviationResult: {
+      /**
+       * Format: double
+       * @description How far the planned flank lies from the class: the higher order that the bound neglects.
+       */
+      beyond_class_um: number;
+      /**
+       * Format: double
+       * @description The bound: the first less the second.
+       */
+      bound_um: number;
+      /**
+       * Format: double
+       * @description Ratio at which least is left.
+       */
+      diagonal_ratio: number;
+      /**
+       * Format: double
+       * @description What is left there at least within the limits of axes and envelope, to first order.
+       */
+      first_order_um: number;
+      /**
+       * Format: double
+       * @description What the plan leaves.
+       */
+      planned_um: number;
+      /** @description Whether the bound is above the tolerance and the plan next to the bound. */
+      proven: boolean;
+      /**
+       * Format: double
+       * @description What is left at that ratio without the limits of the axes, to first order.
+       */
+      without_axis_limits_um: number;
+      /**
+       * Format: double
+       * @description What is left at that ratio without the limit of the envelope, to first order.
+       */
+      without_envelope_limit_um: number;
     };
     /** @description Something in a folder that was not evaluated. */
     LeftOutFile: {
@@ -6591,6 +6658,8 @@ export interface components {
        *     worm, over the tightest tolerance. The target is met up to 1.
        */
       tolerance_share: number;
+      /** @description Traces where the drawing has them, evaluated as those of a measured gear; absent for tangential dressing. */
+      traces?: components["schemas"]["TraceResult"][];
       /** @description Lengths of roll of the grid. */
       w_mm: number[];
       /** @description Axial positions on the worm that are used. */
@@ -6771,6 +6840,8 @@ export interface components {
        */
       tooth: number;
     };
+    /** @description The direction of a trace. */
+    TraceDirection: "profile" | "helix";
     /** @description A trace. */
     TraceInspectionResult: {
       /**
@@ -6832,6 +6903,44 @@ export interface components {
        * @description Tooth as the machine counts.
        */
       tooth: number;
+    };
+    /** @description A trace of the simulated flank. um, transverse. */
+    TraceResult: {
+      /** @description Its direction. */
+      direction: components["schemas"]["TraceDirection"];
+      /**
+       * Format: double
+       * @description f_f: range of what is left beside its line by least squares.
+       */
+      form_um: number;
+      /** @description Values that the trace does not tell, each with the reason. */
+      not_evaluated?: string[];
+      /**
+       * Format: double
+       * @description Face position of a profile, length of roll of a helix.
+       */
+      position_mm: number;
+      /** @description Evaluated length: lengths of roll or face positions. */
+      range_mm: [number, number];
+      /**
+       * Format: double
+       * @description f_H: rise of that line over the evaluated length, > 0 towards the tip or face II.
+       */
+      slope_um: number;
+      /**
+       * Format: double
+       * @description Largest |simulated - target| over the tolerance at its place.
+       */
+      tolerance_share: number;
+      /**
+       * Format: double
+       * @description F: range of simulated - target.
+       */
+      total_um: number;
+      /** @description The part of it without reliefs, for which crowning and slope stand. */
+      unrelieved_mm: [number, number];
+      /** @description What the drawing states, as made. */
+      values: components["schemas"]["DrawnValue"][];
     };
     /** @description A track with its pose. */
     TrackResult: {
