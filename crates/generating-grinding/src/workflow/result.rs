@@ -243,3 +243,26 @@ pub struct JobResult {
     /// Seconds per stage; the only part that differs between two runs.
     pub timing_s: BTreeMap<&'static str, f64>,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_miss_is_proven_by_a_bound_above_the_tolerance_and_a_plan_next_to_it() {
+        let least = |first_order, beyond_class| LeastDeviation {
+            ratio: -1.8,
+            first_order,
+            beyond_class,
+            without_axes: 0.9 * first_order,
+            without_envelope: 0.5 * first_order,
+        };
+        let proven = |least: &LeastDeviation, planned_um| LeastDeviationResult::of(least, planned_um, 2.0);
+        let near = proven(&least(2.6e-3, 0.1e-3), 2.6);
+        assert!(near.proven && (near.bound_um - 2.5).abs() < 1e-9, "{near:?}");
+        // A plan farther from its bound, a bound within the tolerance, and more neglected than found.
+        assert!(!proven(&least(2.6e-3, 0.1e-3), 2.8).proven);
+        assert!(!proven(&least(2.05e-3, 0.1e-3), 2.1).proven);
+        assert_eq!(proven(&least(0.2e-3, 0.5e-3), 2.1).bound_um, 0.0);
+    }
+}
