@@ -83,6 +83,13 @@ struct Relief {
     transition: f64,
 }
 
+/// Where a relief stands: its symbol, its amount, um, and its ends on the trace, the near one first, mm.
+struct Zone {
+    symbol: &'static str,
+    amount: f64,
+    ends: [f64; 2],
+}
+
 /// What a drawing states along one direction.
 struct Drawn {
     direction: TraceDirection,
@@ -131,10 +138,10 @@ impl Drawn {
         }
     }
 
-    /// The part of a range without reliefs, and the zones of those that stand at its ends with their symbols and amounts: [near, far].
-    fn zones(&self, [from, to]: [f64; 2]) -> ([f64; 2], Vec<(&'static str, f64, [f64; 2])>) {
+    /// The part of a range without reliefs, and the zones of those that stand at its ends.
+    fn zones(&self, [from, to]: [f64; 2]) -> ([f64; 2], Vec<Zone>) {
         let mut rest = [from, to];
-        let mut zones: Vec<(&'static str, f64, [f64; 2])> = Vec::new();
+        let mut zones: Vec<Zone> = Vec::new();
         for relief in &self.reliefs {
             let [rounded, straight] = [relief.length + relief.transition, relief.length - relief.transition];
             let (near, far) = match relief.at_end {
@@ -147,15 +154,15 @@ impl Drawn {
                     (from + straight.max(0.0), from)
                 }
             };
-            match zones.iter_mut().find(|(symbol, ..)| *symbol == relief.symbol) {
+            match zones.iter_mut().find(|zone| zone.symbol == relief.symbol) {
                 // Two at one end are measured as one, where both are.
-                Some((_, amount, zone)) => {
-                    *amount += relief.amount;
-                    if (far - near).abs() < (far - zone[0]).abs() {
-                        zone[0] = near;
+                Some(zone) => {
+                    zone.amount += relief.amount;
+                    if (far - near).abs() < (far - zone.ends[0]).abs() {
+                        zone.ends[0] = near;
                     }
                 }
-                None => zones.push((relief.symbol, relief.amount, [near, far])),
+                None => zones.push(Zone { symbol: relief.symbol, amount: relief.amount, ends: [near, far] }),
             }
         }
         (rest, zones)
@@ -282,9 +289,9 @@ fn evaluated(drawn: &Drawn, flank: Flank, range: [f64; 2], sampled: Sampled) -> 
         },
         DrawnValue { symbol: slope, drawn_um: drawn.slope, target_um: target_slope, made_um: made_slope },
     ]);
-    for (symbol, amount, zone) in zones {
+    for Zone { symbol, amount, ends } in zones {
         let relief = |trace: &TraceSamples, within: &TraceEvaluation| -> Result<f64, InspectionError> {
-            Ok(-within.relief(trace, zone)?.amount * 1e3)
+            Ok(-within.relief(trace, ends)?.amount * 1e3)
         };
         match relief(&made, &made_in).and_then(|m| Ok((m, relief(&target, &target_in)?))) {
             Ok((made_um, target_um)) => {
