@@ -142,15 +142,16 @@ impl PlanTask<'_> {
         self.ratio == Some(0.0) && !self.precompensation
     }
 
+    /// What fits on a grid are asked for, with functions of so many intervals over the flank; `None` where a target has no value there.
+    fn fit_task<'g>(&'g self, grid: (&'g PlanningGrid, usize), within: Within) -> Option<BestFitTask<'g>> {
+        let asked = (&self.targets, self.tolerance_map.as_ref(), self.keeps_natural_twist());
+        BestFitTask::new(self.setup, asked, grid, (self.free_dresser, self.dressing), within).ok()
+    }
+
     /// The best plan by fits at some ratios; `None` where none can be carried out. `ruled` is what the rules came to.
     pub(super) fn plan_by_fit(&self, ruled: &Result<GrindingPlan, Box<NoPlan>>) -> Option<GrindingPlan> {
-        let task_on = |grid, within: Within| {
-            let (map, twist) = (self.tolerance_map.as_ref(), self.keeps_natural_twist());
-            let asked = (&self.targets, map, twist);
-            BestFitTask::new(self.setup, asked, grid, (self.free_dresser, self.dressing), within).ok()
-        };
         let first = Within::new(self.tolerance, self.limits);
-        let fits = |grid| task_on(grid, first);
+        let fits = |grid| self.fit_task(grid, first);
         let scan = PlanningGrid::new(self.setup, SCAN_GRID[0], SCAN_GRID[1]);
         let ratios = match self.ratio {
             Some(ratio) => vec![Expected { ratio, cost: 0.0 }],
@@ -185,7 +186,7 @@ impl PlanTask<'_> {
                     Ok(_) => None,
                 };
                 let Some(narrower) = narrower else { break };
-                let Some(task) = task_on((&grid, FIT_INTERVALS), narrower) else { break };
+                let Some(task) = self.fit_task((&grid, FIT_INTERVALS), narrower) else { break };
                 within = narrower;
                 fitted = match (fitted, self.fitted_at(&task, &grid, ratio, ruled)) {
                     (Ok(known), Ok(again)) if known.strain <= again.strain => Ok(known),
@@ -219,7 +220,7 @@ impl PlanTask<'_> {
         let nearer = |a: &GrindingPlan, b: &GrindingPlan| self.deviation(a).total_cmp(&self.deviation(b));
         let further = FURTHER.into_iter().find_map(|near| {
             let within = Within { tolerance: near * self.tolerance, on_worm: true, ..first };
-            let task = task_on((&grid, FIT_INTERVALS), within)?;
+            let task = self.fit_task((&grid, FIT_INTERVALS), within)?;
             let fitted = |&ratio: &f64| Some(self.fitted_at(&task, &grid, ratio, ruled).ok()?.plan);
             tried.iter().filter_map(fitted).min_by(nearer)
         });
@@ -229,10 +230,7 @@ impl PlanTask<'_> {
     /// How near any flank of the class comes to the target, for a plan that misses it. `None` where no programme tells.
     pub(super) fn least_deviation(&self, plan: &GrindingPlan) -> Option<LeastDeviation> {
         let grid = PlanningGrid::new(self.setup, SCAN_GRID[0], SCAN_GRID[1]);
-        let asked = (&self.targets, self.tolerance_map.as_ref(), self.keeps_natural_twist());
-        let within = Within::new(self.tolerance, self.limits);
-        let rules = (self.free_dresser, self.dressing);
-        let task = BestFitTask::new(self.setup, asked, (&grid, FIT_INTERVALS), rules, within).ok()?;
+        let task = self.fit_task((&grid, FIT_INTERVALS), Within::new(self.tolerance, self.limits))?;
         let least = task.least(self.ratio, self.least_determinant)?;
         let ground = Sides::try_from_fn(|flank| {
             let Some(made) = &plan.flanks[flank] else { return Ok(None) };

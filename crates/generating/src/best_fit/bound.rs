@@ -20,9 +20,9 @@ pub struct LeastExcess {
     pub ratio: f64,
     /// What is left there, within every limit.
     pub all: f64,
-    /// The same without the limits of the axes, and without that of the envelope.
+    /// The same without the limits of the axes.
     pub without_axes: f64,
-    /// See above.
+    /// The same without that of the envelope.
     pub without_envelope: f64,
 }
 
