@@ -292,7 +292,7 @@ pub(super) fn solve(programme: &ConeProgramme, accuracy: f64) -> Option<ConeOpti
         let q: Vec<Part> = (0..scalings.len()).map(corrected).collect();
         let step = dense.step(&factor, &scalings, &of, &q);
         let length = (SHARE * within(&at, &step, SHARE.recip())).min(1.0);
-        if !(length > SHORTEST) || !step.x.iter().all(|x| x.is_finite()) {
+        if length <= SHORTEST || !step.x.iter().all(|x| x.is_finite()) {
             return None;
         }
         at.x.axpy(length, &step.x, 1.0);
