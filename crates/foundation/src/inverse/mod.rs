@@ -5,7 +5,6 @@ mod bounded_least_squares;
 mod cone_programme;
 mod constrained;
 mod continuation;
-mod dense_interior_points;
 mod gauss_newton;
 mod largest_residual;
 mod least_squares;

@@ -1,8 +1,8 @@
 //! Interior points for cone programmes of few variables and many short rows: the normal equations of a step are small and dense there, and a
-//! Cholesky factor of them costs a tenth of a sparse factor of the whole system. A primal-dual method with the scaling of Nesterov and Todd
+//! Cholesky factor of them costs a fraction of a sparse factor of the whole system. A primal-dual method with the scaling of Nesterov and Todd
 //! and Mehrotra's corrector, as in L. Vandenberghe, "The CVXOPT linear and quadratic cone program solvers" (2010). Knows no gears.
 
-use super::cone_programme::{Affine, ConeOptimum, ConeProgramme};
+use super::{Affine, ConeOptimum, ConeProgramme};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 /// Steps at most; twenty to thirty are usual.
@@ -26,8 +26,8 @@ struct Bound {
     /// Factors of each column: of one row, or of the three of a cone.
     factors: Vec<Part>,
     constant: Part,
-    /// 1 or 3.
-    rows: usize,
+    /// Of three rows, the first no shorter than the vector of the others.
+    is_cone: bool,
 }
 
 impl Bound {
@@ -44,7 +44,7 @@ impl Bound {
                 factors[place][j] += factor;
             }
         }
-        Self { columns, factors, constant, rows: rows.len() }
+        Self { columns, factors, constant, is_cone: rows.len() > 1 }
     }
 
     /// A x.
@@ -63,11 +63,6 @@ impl Bound {
         for (&column, factors) in self.columns.iter().zip(&self.factors) {
             to[column] += dot(factors, part);
         }
-    }
-
-    /// Whether the part has a length of more than one row.
-    fn is_cone(&self) -> bool {
-        self.rows > 1
     }
 }
 
@@ -181,7 +176,7 @@ impl Dense {
         let mut scaled = Vec::new();
         for (bound, scaling) in self.bounds.iter().zip(scalings) {
             scaled.clear();
-            scaled.extend(bound.factors.iter().map(|factors| match bound.is_cone() {
+            scaled.extend(bound.factors.iter().map(|factors| match bound.is_cone {
                 true => scaling.apply(-1.0, factors),
                 false => [factors[0] / scaling.size, 0.0, 0.0],
             }));
@@ -189,7 +184,7 @@ impl Dense {
                 // Columns ascend: the lower triangle, down each column.
                 let mut below = normal.column_mut(column);
                 for (&row, other) in bound.columns[i..].iter().zip(&scaled[i..]) {
-                    below[row] += if bound.is_cone() { dot(own, other) } else { own[0] * other[0] };
+                    below[row] += if bound.is_cone { dot(own, other) } else { own[0] * other[0] };
                 }
             }
         }

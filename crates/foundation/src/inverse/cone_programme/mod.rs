@@ -1,6 +1,7 @@
 //! Convex quadratic programmes with linear bounds and bounds on the length of vectors, by interior points. Knows no gears.
 
-use super::dense_interior_points;
+mod dense_interior_points;
+
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
     DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SecondOrderConeT, SolverStatus,
