@@ -102,9 +102,9 @@ milling-speed: setup
 	@scripts/opencamlib-peer
 	$(CARGO) bench --package flankwright --bench mill_planning
 
-# Plans of the 120 ordinary drawings in crates/generating-grinding/tests/drawings.json: how many are met, missed, refused.
+# Plans of the 120 ordinary drawings in crates/generating-grinding/tests/drawings.json: how many are met, missed, refused, and how long they take.
 drawings: setup
-	$(CARGO) run --profile demo --package flankwright-generating-grinding --example drawings
+	$(CARGO) bench --profile demo --package flankwright-generating-grinding --bench drawings
 
 clean:
 	$(CARGO) clean

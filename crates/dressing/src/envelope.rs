@@ -7,8 +7,8 @@ use super::{DresserTool, GeometricRange};
 use contact::{SurfaceJet, ToolSurface};
 use foundation::geometry::{Flank, InvoluteFlank, MeridianPoint, ProfileOffset};
 use foundation::kinematics::{DressingChain, DressingMotion};
-use foundation::numerics::{Chebyshev, Scalar, gradient_of, value_of, variables};
-use nalgebra::{DMatrix, Vector3};
+use foundation::numerics::{Chebyshev, ChebyshevTable, Scalar, gradient_of, value_of, variables};
+use nalgebra::Vector3;
 use std::sync::Arc;
 
 /// Pose of the dresser in the room and motion of the worm against it, per radian of worm rotation.
@@ -53,10 +53,8 @@ pub struct EnvelopePoint {
 #[derive(Clone, Debug)]
 pub struct DressedWorm {
     dresser: FlankDresser,
-    /// Chebyshev coefficients of the four corrections and their first two derivatives: row j = T_j, columns
-    /// [component][order].
-    table: DMatrix<f64>,
-    interval: (f64, f64),
+    /// The four corrections, each with its first two derivatives.
+    table: ChebyshevTable<12>,
     share: f64,
 }
 
@@ -73,19 +71,10 @@ impl ProfileOffset for ScaledOffset {
 impl DressedWorm {
     /// The worm flank dressed by `tool` with the correction series `corrections` (rad, rad, mm, mm over v; one interval).
     pub fn new(tool: &DresserTool, flank: Flank, corrections: &[Chebyshev; 4]) -> Self {
-        let interval = corrections[0].interval();
-        let rows = corrections.iter().map(|c| c.coefficients().len()).max().unwrap_or(1);
-        let mut table = DMatrix::zeros(rows, 12);
-        for (component, series) in corrections.iter().enumerate() {
-            let first = series.derivative();
-            let second = first.derivative();
-            for (order, s) in [series, &first, &second].into_iter().enumerate() {
-                for (j, &c) in s.coefficients().iter().enumerate() {
-                    table[(j, component * 3 + order)] = c;
-                }
-            }
-        }
-        Self { dresser: tool.flanks[flank].clone(), table, interval, share: 1.0 }
+        let first = corrections.each_ref().map(Chebyshev::derivative);
+        let second = first.each_ref().map(Chebyshev::derivative);
+        let series = std::array::from_fn(|k| [&corrections[k / 3], &first[k / 3], &second[k / 3]][k % 3]);
+        Self { dresser: tool.flanks[flank].clone(), table: ChebyshevTable::new(series), share: 1.0 }
     }
 
     /// The unmodified worm flank it stands on.
@@ -100,27 +89,17 @@ impl DressedWorm {
 
     /// Worm positions between which the motion goes, mm.
     pub(super) fn interval(&self) -> (f64, f64) {
-        self.interval
+        self.table.interval()
     }
 
     /// The four corrections at v with two derivatives each.
     fn corrections(&self, v: f64) -> [[f64; 3]; 4] {
-        let (from, to) = self.interval;
-        let x = (2.0 * v - from - to) / (to - from);
-        let mut sums = [0.0; 12];
-        let (mut t0, mut t1) = (1.0, x);
-        for row in self.table.row_iter() {
-            for (sum, c) in sums.iter_mut().zip(row.iter()) {
-                *sum += t0 * c;
-            }
-            (t0, t1) = (t1, 2.0 * x * t1 - t0);
-        }
-        std::array::from_fn(|k| std::array::from_fn(|order| sums[3 * k + order] * self.share))
+        let values = self.table.values(v);
+        std::array::from_fn(|k| std::array::from_fn(|order| values[3 * k + order] * self.share))
     }
 
     fn covers(&self, t: f64, v: f64) -> bool {
-        let margin = 1e-9 * (self.interval.1 - self.interval.0);
-        self.dresser.profile.covers(t) && v >= self.interval.0 - margin && v <= self.interval.1 + margin
+        self.dresser.profile.covers(t) && self.table.covers(v)
     }
 
     /// Envelope point and dresser normal in worm coordinates for dual parameters; `None` outside the dressed area or
@@ -221,7 +200,8 @@ impl ToolSurface for DressedWorm {
         let t = scaled.clamp(from, to);
         let (first, last) = self.dresser.line.interval();
         let b = self.dresser.line.value(w_1.clamp(first, last));
-        (t, (b - z_1).clamp(self.interval.0, self.interval.1))
+        let (from, to) = self.table.interval();
+        (t, (b - z_1).clamp(from, to))
     }
 
     fn with_share(&self, share: f64) -> Box<dyn ToolSurface + '_> {

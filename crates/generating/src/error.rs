@@ -63,7 +63,8 @@ pub enum GeneratingError {
     )]
     #[finding(code = "axis-limit")]
     #[way_out(
-        "that limit is a default of planning, not one of the machine, and no key changes it: a number as diagonal_ratio is not bound by it; or reduce the amount, or take a worm with more threads"
+        "that limit is one of planning, not of the machine: grinding.axis_limits.{} sets another, and a number as diagonal_ratio is not bound by it; or reduce the amount, or take a worm with more threads",
+        limit_key(axis)
     )]
     AxisLimit {
         /// Axis.
@@ -498,6 +499,17 @@ fn lands(land: Option<f64>, largest: Option<f64>) -> String {
         (Some(land), Some(largest)) => format!("its tip land is {land} mm wide, allowed are {largest:.4} mm"),
         (_, Some(largest)) => format!("its tip land may be {largest:.4} mm wide"),
         (_, None) => "even without a tip land".into(),
+    }
+}
+
+/// Key of a job under `grinding.axis_limits` for the limit of an axis.
+fn limit_key(axis: &str) -> &'static str {
+    match axis {
+        "d_phi_S" => "d_phi_S_deg",
+        "d_gamma" => "d_gamma_deg",
+        "d_d" => "d_d_mm",
+        "d_v_yA" => "d_v_yA_mm",
+        _ => "delta_d_mm",
     }
 }
 

@@ -356,6 +356,12 @@ impl PlanTask<'_> {
             return Ok(plan);
         }
         let (candidates, failed) = (choice.candidates.clone(), choice.failed.clone());
+        if search == Search::Named
+            && let Some(error) = self.hardly_sound(&choice)
+            && !self.asks_too_much()
+        {
+            return Err(Box::new(NoPlan { error, candidates, failed }));
+        }
         let planned = match self.plan_with(&grid, choice.clone()) {
             // More than the dressing motion can make: the target is missed by its profile.
             Err(_) if self.corrects_profile_without_shift() => {
@@ -439,6 +445,19 @@ impl PlanTask<'_> {
         let (share, least) = if self.is_smooth() { (1.0, 0.0) } else { (WELL_WITHIN, LEAST_DETERMINANT) };
         self.deviation(plan) <= share * self.tolerance
             && plan.determinant >= self.least_determinant.max(least)
+    }
+
+    /// Why a ratio will hardly become a sound plan of a target with edges, as its ideal tool tells.
+    fn hardly_sound(&self, choice: &RatioChoice) -> Option<GeneratingError> {
+        let chosen = choice.candidates.iter().find(|c| c.ratio == choice.ratio && c.place == choice.place)?;
+        let allowed = WELL_WITHIN * self.tolerance;
+        (chosen.error > allowed || chosen.determinant < LEAST_DETERMINANT).then(|| {
+            GeneratingError::ModelError {
+                ratio: chosen.ratio,
+                error_um: chosen.error * 1e3,
+                allowed_um: allowed * 1e3,
+            }
+        })
     }
 
     /// What speaks against a plan: its deviation, mm, and more than any deviation a contact beyond the least determinant ratio.

@@ -153,9 +153,11 @@ impl PlanTask<'_> {
         let first = Within::new(self.tolerance, self.limits);
         let fits = |grid| self.fit_task(grid, first);
         let scan = PlanningGrid::new(self.setup, SCAN_GRID[0], SCAN_GRID[1]);
-        let ratios = match self.ratio {
-            Some(ratio) => vec![Expected { ratio, cost: 0.0 }],
-            None => fits((&scan, SCAN_INTERVALS))?.ratios(self.prefer),
+        let scan = fits((&scan, SCAN_INTERVALS))?;
+        // All are compared where the first one, found with few, is not enough.
+        let (mut ratios, mut compared) = match self.ratio {
+            Some(ratio) => (vec![Expected { ratio, cost: 0.0 }], true),
+            None => (scan.easiest(self.prefer).into_iter().collect(), false),
         };
         let grid = PlanningGrid::new(self.setup, FIT_GRID[0], FIT_GRID[1]).closer_at_ends();
         let task = fits((&grid, FIT_INTERVALS))?;
@@ -168,7 +170,14 @@ impl PlanTask<'_> {
                 let new = |other: &f64| expected.ratio != *other;
                 if expected.cost <= APART_UP_TO { tried.iter().all(apart) } else { tried.iter().all(new) }
             };
-            let Some(&Expected { ratio, .. }) = ratios.iter().find(next) else { break };
+            let found = ratios.iter().find(next).copied();
+            let Some(Expected { ratio, .. }) = found else {
+                if compared {
+                    break;
+                }
+                (ratios, compared) = (scan.ratios(self.prefer), true);
+                continue;
+            };
             tried.push(ratio);
             let mut fitted = self.fitted_at(&task, &grid, ratio, ruled);
             let mut within = first;

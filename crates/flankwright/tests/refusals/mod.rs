@@ -80,7 +80,7 @@ fn a_default_limit_of_planning_is_told_with_the_ratio_that_lifts_it() {
     assert_eq!((finding.code, finding.field.as_deref()), ("axis-limit", Some("grinding.diagonal_ratio")));
     assert!(finding.message.contains("offset the dresser tangentially"), "{finding}");
     let remedy = way_out(&finding);
-    assert!(remedy.contains("default of planning that no key changes"), "{remedy}");
+    assert!(remedy.contains("one of planning (grinding.axis_limits)"), "{remedy}");
     let stated = remedy.split_once("diagonal_ratio = ").expect("a ratio").1;
     let ratio = stated.split_whitespace().next().expect("a number");
     let outcome = plan_job(&with_slopes(&format!("diagonal_ratio = {ratio}")), &Silent);

@@ -2,7 +2,7 @@
 //!
 //! Knows nothing of how the meridian was found. Coordinates: r from the axis, z along it, mm.
 
-use crate::numerics::{Chebyshev, Scalar, value_of};
+use crate::numerics::{Chebyshev, ChebyshevTable, Scalar, value_of};
 use std::sync::Arc;
 
 /// A function of the profile parameter with its first two derivatives: normal offset of a meridian, mm.
@@ -15,8 +15,8 @@ pub trait ProfileOffset: Send + Sync + std::fmt::Debug {
 /// of roll of the flank point that the profile point was designed for.
 #[derive(Clone, Debug)]
 pub struct Revolution {
-    radius: [Chebyshev; 4],
-    axial: [Chebyshev; 4],
+    /// Radius and axial position, each with three derivatives.
+    series: Arc<ChebyshevTable<8>>,
     orientation: f64,
     offset: Option<Arc<dyn ProfileOffset>>,
     /// What of the meridian is there; `None`: all of it.
@@ -45,9 +45,9 @@ impl Revolution {
             let d3 = d2.derivative();
             [series, d1, d2, d3]
         };
+        let ([r, r1, r2, r3], [z, z1, z2, z3]) = (jets(radius), jets(axial));
         Self {
-            radius: jets(radius),
-            axial: jets(axial),
+            series: Arc::new(ChebyshevTable::new([&r, &r1, &r2, &r3, &z, &z1, &z2, &z3])),
             orientation: orientation.signum(),
             offset: None,
             part: None,
@@ -82,12 +82,12 @@ impl Revolution {
 
     /// Parameter interval the series were made for, or that of the part.
     pub fn interval(&self) -> (f64, f64) {
-        self.part.unwrap_or_else(|| self.radius[0].interval())
+        self.part.unwrap_or_else(|| self.series.interval())
     }
 
     /// Whether t lies on the meridian.
     pub fn covers(&self, t: f64) -> bool {
-        self.radius[0].covers(t) && self.part.is_none_or(|(from, to)| t >= from && t <= to)
+        self.series.covers(t) && self.part.is_none_or(|(from, to)| t >= from && t <= to)
     }
 
     /// Point and outward normal at t, with the offset. Exact first derivatives for dual numbers.
@@ -96,11 +96,8 @@ impl Revolution {
         let dt = t - x;
         // Black-box functions enter dual arithmetic by their own derivatives: f(t) = f(x) + f'(x) dt, exact to first order.
         let lift = |value: f64, slope: f64| dt * slope + value;
-        let series = |s: &[Chebyshev; 4], order: usize| s[order].value(x);
-        let (r1, z1) = (series(&self.radius, 1), series(&self.axial, 1));
-        let (r2, z2) = (series(&self.radius, 2), series(&self.axial, 2));
-        let r = lift(series(&self.radius, 0), r1);
-        let z = lift(series(&self.axial, 0), z1);
+        let [r0, r1, r2, r3, z0, z1, z2, z3] = self.series.values(x);
+        let (r, z) = (lift(r0, r1), lift(z0, z1));
         let (tr, tz) = (lift(r1, r2), lift(z1, z2));
         let length = (tr * tr + tz * tz).sqrt();
         let (n_r, n_z) = (tz / length * self.orientation, -tr / length * self.orientation);
@@ -109,7 +106,7 @@ impl Revolution {
         };
         let [g0, g1, g2] = offset.jet(x);
         let (g, dg) = (lift(g0, g1), lift(g1, g2));
-        let (ar, az) = (lift(r2, series(&self.radius, 3)), lift(z2, series(&self.axial, 3)));
+        let (ar, az) = (lift(r2, r3), lift(z2, z3));
         // N' = -kappa (tangent), kappa = (r' z'' - z' r'')/length^3 in the sense of the orientation.
         let turn = (tr * az - tz * ar) / (length * length) * self.orientation;
         let (mr, mz) = (tr / length * turn, tz / length * turn);

@@ -7,6 +7,7 @@
 mod bases;
 mod bound;
 mod envelope;
+mod expected;
 mod flank;
 mod planner;
 mod programme;
@@ -14,5 +15,6 @@ mod ratios;
 mod smoother;
 mod within;
 
-pub(super) use planner::{BestFit, BestFitTask, Contact, Contacts, Expected};
+pub(super) use expected::Expected;
+pub(super) use planner::{BestFit, BestFitTask, Contact, Contacts};
 pub(super) use within::Within;

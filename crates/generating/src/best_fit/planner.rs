@@ -5,23 +5,15 @@ use super::super::dressed::{dressing_response, finished_rolls};
 use super::super::least_squares::FunctionClass;
 use super::super::{
     DressingLimits, DressingRows, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup,
-    IdealPlan, PlanningGrid, Prefer,
+    IdealPlan, PlanningGrid,
 };
 use super::flank::{FlankCommand, FlankFit};
 use super::programme::{AxisShares, Limits};
-use super::ratios::{candidates, fits};
 use super::within::Within;
 use contact::ContactSolution;
 use foundation::geometry::{Flank, Sides};
 use foundation::modification::{Modification, ToleranceMap};
-use foundation::numerics::golden_section;
-use rayon::prelude::*;
 use std::sync::Arc;
-
-/// Evaluations of the golden section about the best ratio.
-const GOLDEN: usize = 8;
-/// Ratios that are expected to cost no more than this count as equally good.
-const EASY: f64 = 0.3;
 
 /// What is to be planned.
 pub struct BestFitTask<'a> {
@@ -39,15 +31,6 @@ pub struct BestFitTask<'a> {
     axes: Sides<AxisShares>,
     /// Lengths of roll between which the worm is finished, where the contact is to be kept there.
     reach: Sides<Option<[f64; 2]>>,
-}
-
-/// A ratio with what its fit is expected to cost.
-#[derive(Clone, Copy, Debug)]
-pub struct Expected {
-    /// K.
-    pub ratio: f64,
-    /// 1 is the tolerance or a limit of the envelope.
-    pub cost: f64,
 }
 
 /// A best fit at one ratio, on its way to the exact flank.
@@ -145,7 +128,11 @@ impl<'a> BestFitTask<'a> {
         FunctionClass { profile: self.free_profile, ..class }
     }
 
-    fn fits(&self, ratio: f64) -> Result<Sides<Option<Arc<FlankFit<'_>>>>, GeneratingError> {
+    /// What is fitted at a ratio.
+    ///
+    /// # Errors
+    /// Where bodies have no contact of second order.
+    pub fn fits(&self, ratio: f64) -> Result<Sides<Option<Arc<FlankFit<'_>>>>, GeneratingError> {
         let shift = FeedLaw::Ratio(ratio).law(self.setup, &self.which);
         Sides::try_from_fn(|flank| {
             if !self.which.contains(&flank) {
@@ -203,63 +190,6 @@ impl<'a> BestFitTask<'a> {
             most = most.max(fit.beyond_class(&own)? * self.setup.lines[flank].cos_b2);
         }
         Some(most / self.within.tolerance)
-    }
-
-    fn cost(&self, ratio: f64, of_flank: impl Fn(&FlankFit<'_>) -> f64) -> f64 {
-        let fits = self.fits(ratio);
-        fits.map_or(f64::INFINITY, |fits| {
-            fits.iter().filter_map(|(_, fit)| fit.as_ref()).map(|fit| of_flank(fit)).fold(0.0, f64::max)
-        })
-    }
-
-    /// Ratios by what their fits are expected to cost, the best first; refined about the best. Among those well within the tolerance the one
-    /// that is preferred comes first: the smaller one uses less worm.
-    pub fn ratios(&self, prefer: Prefer) -> Vec<Expected> {
-        let easy = if prefer == Prefer::Accuracy { 0.0 } else { EASY };
-        let price = |ratio: f64| match prefer {
-            Prefer::Accuracy | Prefer::Worm => ratio.abs(),
-            Prefer::Time => self.feed_travel(ratio),
-        };
-        // Least squares tell what is easy; a programme need only be solved for what would come before.
-        let quick = |ratio: f64| Expected { ratio, cost: self.cost(ratio, |fit| fit.quick_estimate()) };
-        let quick: Vec<Expected> = candidates(self.setup, &self.which).into_par_iter().map(quick).collect();
-        let sure = quick.iter().filter(|of| of.cost <= easy).map(|of| price(of.ratio));
-        let sure = sure.fold(f64::INFINITY, f64::min);
-        let expected = |of: Expected| match price(of.ratio) < sure {
-            true => Expected { cost: self.cost(of.ratio, |fit| fit.estimate()), ..of },
-            false => of,
-        };
-        let mut tried: Vec<Expected> = quick.into_par_iter().map(expected).collect();
-        let order = |a: &Expected, b: &Expected| {
-            // Costs within a hundredth are one.
-            let class = |of: &Expected| (of.cost.max(easy).ln() / 0.01).round();
-            class(a).total_cmp(&class(b)).then(price(a.ratio).total_cmp(&price(b.ratio)))
-        };
-        tried.sort_by(order);
-        if let Some(best) = tried.first().copied().filter(|best| best.ratio != 0.0 && best.cost > EASY) {
-            let (a, b) = (0.8 * best.ratio, 1.25 * best.ratio);
-            let mut found = Vec::new();
-            golden_section(a, b, GOLDEN, |ratio| {
-                if !fits(self.setup, &self.which, ratio) {
-                    return f64::INFINITY;
-                }
-                let cost = self.cost(ratio, |fit| fit.estimate());
-                found.push(Expected { ratio, cost });
-                cost
-            });
-            found.sort_by(order);
-            tried.extend(found.first());
-            tried.sort_by(order);
-        }
-        tried.retain(|tried| tried.cost.is_finite());
-        tried.dedup_by(|a, b| (a.ratio - b.ratio).abs() < 1e-3 * b.ratio.abs());
-        tried
-    }
-
-    fn feed_travel(&self, ratio: f64) -> f64 {
-        let shift = FeedLaw::Ratio(ratio).law(self.setup, &self.which);
-        let [from, to] = self.setup.feed_range(&shift, &self.which);
-        to - from
     }
 
     /// The best fit at a ratio with its first command, for a share of what is wanted.

@@ -231,12 +231,9 @@ impl FlankProgramme<'_> {
         for (((place, _), wanted), weight) in self.places.iter().zip(self.wanted).zip(self.weights) {
             let wanted = weight * wanted / self.within.tolerance;
             self.bases.row(place, &mut row);
-            row.iter_mut().for_each(|(_, a)| *a *= weight);
-            for sign in [1.0, -1.0] {
-                let mut entries: Vec<(usize, f64)> = row.iter().map(|&(k, a)| (k, -sign * a)).collect();
-                entries.push((excess, 1.0));
-                programme.positive.push(Affine { entries, constant: near + sign * wanted });
-            }
+            let entries = row.iter().map(|&(k, a)| (k, -weight * a)).collect();
+            let room = Affine { entries: vec![(excess, 1.0)], constant: near };
+            programme.strips.push([room, Affine { entries, constant: wanted }]);
         }
     }
 
@@ -328,11 +325,9 @@ impl FlankProgramme<'_> {
     fn keep_axes(&self, programme: &mut ConeProgramme) {
         let bend = self.bases.columns() + 1;
         self.axes.each(self.bases, |entries| {
-            for sign in [1.0, -1.0] {
-                let scaled = entries.iter().map(|&(k, share)| (k, sign * share * self.within.tolerance));
-                let entries = scaled.chain([(bend, 1.0)]).collect();
-                programme.positive.push(Affine { entries, constant: AXES });
-            }
+            let room = Affine { entries: vec![(bend, 1.0)], constant: AXES };
+            let entries = entries.iter().map(|&(k, share)| (k, share * self.within.tolerance)).collect();
+            programme.strips.push([room, Affine { entries, constant: 0.0 }]);
         });
     }
 

@@ -1,5 +1,6 @@
 //! Interior points for cone programmes of few variables and many short rows: the normal equations of a step are small and dense there, and a
-//! Cholesky factor of them costs a fraction of a sparse factor of the whole system. A primal-dual method with the scaling of Nesterov and Todd
+//! Cholesky factor of them costs a fraction of a sparse factor of the whole system. Columns are taken in fours, as splines have them. A
+//! primal-dual method with the scaling of Nesterov and Todd
 //! and Mehrotra's corrector, as in L. Vandenberghe, "The CVXOPT linear and quadratic cone program solvers" (2010). Knows no gears.
 
 use super::{Affine, ConeOptimum, ConeProgramme};
@@ -14,54 +15,100 @@ const SHORTEST: f64 = 1e-7;
 /// Weight of the variables themselves in the normal equations, over the mean of their diagonal: keeps them regular to rounding.
 const RIDGE: f64 = 1e-14;
 
-/// The numbers of a bound: one of a row, the others 0, or three of a cone.
+/// The numbers of a bound: one, two or three, the others 0.
 type Part = [f64; 3];
 /// The unit of their product.
 const UNIT: Part = [1.0, 0.0, 0.0];
 
-/// A bound with its rows on the columns that they share.
+/// Columns that are taken together: a cubic B-spline has so many that count at a place.
+const TOGETHER: usize = 4;
+type Columns = [f64; TOGETHER];
+
+/// A bound: one row, two whose first is no smaller than the size of the second, or three whose first is no shorter than the vector of the others.
 struct Bound {
-    /// Columns, ascending.
-    columns: Vec<usize>,
-    /// Factors of each column: of one row, or of the three of a cone.
-    factors: Vec<Part>,
+    /// First column of each piece, ascending; pieces have no column in common.
+    firsts: Vec<usize>,
+    /// Factors of the pieces, as many for each as there are rows.
+    factors: Vec<Columns>,
+    rows: usize,
     constant: Part,
-    /// Of three rows, the first no shorter than the vector of the others.
-    is_cone: bool,
 }
 
 impl Bound {
     fn new(rows: &[Affine]) -> Self {
         let mut columns: Vec<usize> = rows.iter().flat_map(|row| row.entries.iter().map(|e| e.0)).collect();
         columns.sort_unstable();
-        columns.dedup();
-        let mut factors = vec![[0.0; 3]; columns.len()];
+        let mut firsts: Vec<usize> = Vec::new();
+        for column in columns {
+            if firsts.last().is_none_or(|first| column >= first + TOGETHER) {
+                firsts.push(column);
+            }
+        }
+        let mut factors = vec![[0.0; TOGETHER]; firsts.len() * rows.len()];
         let mut constant = [0.0; 3];
         for (j, row) in rows.iter().enumerate() {
             constant[j] = row.constant;
             for (column, factor) in &row.entries {
-                let place = columns.partition_point(|known| known < column);
-                factors[place][j] += factor;
+                let piece = firsts.partition_point(|first| first <= column) - 1;
+                factors[piece * rows.len() + j][column - firsts[piece]] += factor;
             }
         }
-        Self { columns, factors, constant, is_cone: rows.len() > 1 }
+        Self { firsts, factors, rows: rows.len(), constant }
+    }
+
+    /// The first column of each piece and the factors of its rows.
+    fn pieces(&self) -> impl Iterator<Item = (usize, &[Columns])> {
+        self.firsts.iter().copied().zip(self.factors.chunks_exact(self.rows))
     }
 
     /// A x.
-    fn times(&self, x: &DVector<f64>) -> Part {
+    fn times(&self, x: &[f64]) -> Part {
         let mut sum = [0.0; 3];
-        for (&column, factors) in self.columns.iter().zip(&self.factors) {
-            for (sum, factor) in sum.iter_mut().zip(factors) {
-                *sum += factor * x[column];
+        for (first, rows) in self.pieces() {
+            let x = &x[first..first + TOGETHER];
+            for (sum, row) in sum.iter_mut().zip(rows) {
+                *sum += row.iter().zip(x).map(|(a, x)| a * x).sum::<f64>();
             }
         }
         sum
     }
 
     /// Adds A^T part.
-    fn add_transposed(&self, part: &Part, to: &mut DVector<f64>) {
-        for (&column, factors) in self.columns.iter().zip(&self.factors) {
-            to[column] += dot(factors, part);
+    fn add_transposed(&self, part: &Part, to: &mut [f64]) {
+        for (first, rows) in self.pieces() {
+            let to = &mut to[first..first + TOGETHER];
+            for (part, row) in part.iter().zip(rows) {
+                to.iter_mut().zip(row).for_each(|(to, a)| *to += part * a);
+            }
+        }
+    }
+
+    /// Adds A^T W^-2 A to the lower triangle of a matrix.
+    fn add_square(&self, scaling: &Scaling, to: &mut DMatrix<f64>, scaled: &mut Vec<[Columns; 3]>) {
+        scaled.clear();
+        scaled.extend(self.pieces().map(|(_, rows)| scaling.shrink(rows)));
+        match self.rows {
+            1 => self.add_products::<1>(scaled, to),
+            2 => self.add_products::<2>(scaled, to),
+            _ => self.add_products::<3>(scaled, to),
+        }
+    }
+
+    fn add_products<const ROWS: usize>(&self, scaled: &[[Columns; 3]], to: &mut DMatrix<f64>) {
+        let height = to.nrows();
+        let to = to.as_mut_slice();
+        for (i, (&column, own)) in self.firsts.iter().zip(scaled).enumerate() {
+            for (&row, other) in self.firsts[i..].iter().zip(&scaled[i..]) {
+                for k in 0..TOGETHER {
+                    // Pieces ascend: the lower triangle, down each column, and of a piece with itself the whole square.
+                    let from = (column + k) * height + row;
+                    let below = &mut to[from..from + TOGETHER];
+                    for j in 0..ROWS {
+                        let by = own[j][k];
+                        below.iter_mut().zip(&other[j]).for_each(|(below, a)| *below += by * a);
+                    }
+                }
+            }
         }
     }
 }
@@ -127,6 +174,22 @@ impl Scaling {
         let by = if sign > 0.0 { self.size } else { self.size.recip() };
         [by * (a * v[0] + along), by * (v[1] + b * more), by * (v[2] + c * more)]
     }
+
+    /// W^-1 of the factors of a piece, column by column.
+    fn shrink(&self, rows: &[Columns]) -> [Columns; 3] {
+        let mut shrunk = [[0.0; TOGETHER]; 3];
+        match rows {
+            [row] => shrunk[0] = row.map(|a| a / self.size),
+            rows => {
+                for k in 0..TOGETHER {
+                    let third = rows.get(2).map_or(0.0, |row| row[k]);
+                    let column = self.apply(-1.0, &[rows[0][k], rows[1][k], third]);
+                    shrunk.iter_mut().zip(column).for_each(|(row, a)| row[k] = a);
+                }
+            }
+        }
+        shrunk
+    }
 }
 
 /// A programme in the form in which steps are found.
@@ -156,9 +219,14 @@ struct Residual {
 }
 
 impl Dense {
+    /// With a few variables more, which stay 0, so that every piece is whole.
     fn new(programme: &ConeProgramme) -> Self {
-        let columns = programme.cost.len();
+        let own = programme.cost.len();
+        let columns = own + TOGETHER - 1;
         let mut quadratic = DMatrix::zeros(columns, columns);
+        for k in own..columns {
+            quadratic[(k, k)] = 1.0;
+        }
         for &(row, column, value) in &programme.quadratic {
             quadratic[(row, column)] += value;
             if row != column {
@@ -166,8 +234,10 @@ impl Dense {
             }
         }
         let rows = programme.positive.iter().map(|row| Bound::new(std::slice::from_ref(row)));
-        let bounds = rows.chain(programme.cones.iter().map(|cone| Bound::new(cone))).collect();
-        Self { cost: DVector::from_column_slice(&programme.cost), quadratic, bounds }
+        let strips = programme.strips.iter().map(|strip| Bound::new(strip));
+        let bounds = rows.chain(strips).chain(programme.cones.iter().map(|cone| Bound::new(cone))).collect();
+        let cost = DVector::from_iterator(columns, programme.cost.iter().copied().chain([0.0; TOGETHER - 1]));
+        Self { cost, quadratic, bounds }
     }
 
     /// P + A^T W^-2 A, factored; `None` where rounding makes it indefinite.
@@ -175,18 +245,7 @@ impl Dense {
         let mut normal = self.quadratic.clone();
         let mut scaled = Vec::new();
         for (bound, scaling) in self.bounds.iter().zip(scalings) {
-            scaled.clear();
-            scaled.extend(bound.factors.iter().map(|factors| match bound.is_cone {
-                true => scaling.apply(-1.0, factors),
-                false => [factors[0] / scaling.size, 0.0, 0.0],
-            }));
-            for (i, (&column, own)) in bound.columns.iter().zip(&scaled).enumerate() {
-                // Columns ascend: the lower triangle, down each column.
-                let mut below = normal.column_mut(column);
-                for (&row, other) in bound.columns[i..].iter().zip(&scaled[i..]) {
-                    below[row] += if bound.is_cone { dot(own, other) } else { own[0] * other[0] };
-                }
-            }
+            bound.add_square(scaling, &mut normal, &mut scaled);
         }
         let ridge = RIDGE * normal.trace() / normal.nrows().max(1) as f64;
         for k in 0..normal.nrows() {
@@ -201,8 +260,8 @@ impl Dense {
         let mut primal = Vec::with_capacity(self.bounds.len());
         let (mut gap, mut constants) = (0.0, 0.0);
         for ((bound, s), z) in self.bounds.iter().zip(&at.s).zip(&at.z) {
-            bound.add_transposed(&z.map(|z| -z), &mut dual);
-            primal.push(plus(&plus(s, -1.0, &bound.times(&at.x)), -1.0, &bound.constant));
+            bound.add_transposed(&z.map(|z| -z), dual.as_mut_slice());
+            primal.push(plus(&plus(s, -1.0, &bound.times(at.x.as_slice())), -1.0, &bound.constant));
             gap += dot(s, z);
             constants += dot(&bound.constant, z);
         }
@@ -216,10 +275,11 @@ impl Dense {
         let same: Vec<Scaling> = self.bounds.iter().map(|_| Scaling { size: 1.0, direction: UNIT }).collect();
         let mut right = -&self.cost;
         for bound in &self.bounds {
-            bound.add_transposed(&bound.constant.map(|b| -b), &mut right);
+            bound.add_transposed(&bound.constant.map(|b| -b), right.as_mut_slice());
         }
         let x = self.factored(&same)?.solve(&right);
-        let s: Vec<Part> = self.bounds.iter().map(|b| plus(&b.times(&x), 1.0, &b.constant)).collect();
+        let s: Vec<Part> =
+            self.bounds.iter().map(|b| plus(&b.times(x.as_slice()), 1.0, &b.constant)).collect();
         let z = s.iter().map(|s| s.map(|s| -s)).collect();
         let inside = |parts: Vec<Part>| -> Vec<Part> {
             let least = parts.iter().map(|v| v[0] - length(v)).fold(f64::INFINITY, f64::min);
@@ -235,14 +295,14 @@ impl Dense {
         let mut pulls = Vec::with_capacity(q.len());
         for (((bound, scaling), q), primal) in self.bounds.iter().zip(scalings).zip(q).zip(&of.primal) {
             let pull = plus(q, 1.0, &scaling.apply(-1.0, primal));
-            bound.add_transposed(&scaling.apply(-1.0, &pull), &mut right);
+            bound.add_transposed(&scaling.apply(-1.0, &pull), right.as_mut_slice());
             pulls.push(pull);
         }
         let x = factor.solve(&right);
         let (mut s, mut z) = (Vec::with_capacity(q.len()), Vec::with_capacity(q.len()));
         for (((bound, scaling), pull), primal) in self.bounds.iter().zip(scalings).zip(&pulls).zip(&of.primal)
         {
-            let along = bound.times(&x);
+            let along = bound.times(x.as_slice());
             z.push(scaling.apply(-1.0, &plus(pull, -1.0, &scaling.apply(-1.0, &along))));
             s.push(plus(&along, -1.0, primal));
         }
@@ -269,7 +329,8 @@ pub(super) fn solve(programme: &ConeProgramme, accuracy: f64) -> Option<ConeOpti
         let size = of.objective[0].abs().min(of.objective[1].abs()).max(1.0);
         let met = of.dual.amax() <= accuracy * largest_cost && missing <= accuracy * largest_constant;
         if met && of.gap <= accuracy * size {
-            return Some(ConeOptimum { x: at.x.iter().copied().collect(), bound: of.objective[1] });
+            let x = at.x.iter().copied().take(programme.cost.len()).collect();
+            return Some(ConeOptimum { x, bound: of.objective[1] });
         }
         let scalings: Vec<Scaling> = at.s.iter().zip(&at.z).map(|(s, z)| Scaling::new(s, z)).collect();
         let factor = dense.factored(&scalings)?;

@@ -1,4 +1,4 @@
-//! Convex quadratic programmes with linear bounds and bounds on the length of vectors, by interior points. Knows no gears.
+//! Convex quadratic programmes with linear bounds and bounds on the size of numbers and the length of vectors, by interior points. Knows no gears.
 
 mod dense_interior_points;
 
@@ -16,7 +16,8 @@ pub struct Affine {
     pub constant: f64,
 }
 
-/// min x.P.x/2 + c.x with affine functions of x that are not negative, and others that are no shorter than the vector of two more.
+/// min x.P.x/2 + c.x with affine functions of x that are not negative, and others that are no smaller than the size of another or the length of
+/// the vector of two more.
 #[derive(Clone, Debug, Default)]
 pub struct ConeProgramme {
     /// c, one number for each variable.
@@ -25,6 +26,8 @@ pub struct ConeProgramme {
     pub quadratic: Vec<(usize, usize, f64)>,
     /// Each is at least 0.
     pub positive: Vec<Affine>,
+    /// Of each the first is at least the size of the second.
+    pub strips: Vec<[Affine; 2]>,
     /// Of each the first is at least the length of the vector of the others.
     pub cones: Vec<[Affine; 3]>,
 }
@@ -50,7 +53,8 @@ impl ConeProgramme {
 
     fn solve_sparse(&self, accuracy: f64) -> Option<ConeOptimum> {
         let columns = self.cost.len();
-        let all = || self.positive.iter().chain(self.cones.iter().flatten());
+        let all =
+            || self.positive.iter().chain(self.strips.iter().flatten()).chain(self.cones.iter().flatten());
         let (mut rows, mut places, mut values, mut right) = (vec![], vec![], vec![], vec![]);
         // Clarabel's form: right - A x in the cone.
         for (row, affine) in all().enumerate() {
@@ -70,6 +74,7 @@ impl ConeProgramme {
         }
         let p = CscMatrix::new_from_triplets(columns, columns, rows, places, values);
         let mut cones = vec![NonnegativeConeT(self.positive.len())];
+        cones.extend(self.strips.iter().map(|_| SecondOrderConeT(2)));
         cones.extend(self.cones.iter().map(|_| SecondOrderConeT(3)));
         let settings = DefaultSettings {
             verbose: false,
@@ -107,6 +112,7 @@ mod tests {
             cost: vec![-3.0, -4.0],
             quadratic: vec![(0, 0, 1.0), (1, 1, 1.0)],
             positive: Vec::new(),
+            strips: Vec::new(),
             cones: vec![[affine([], 1.0), affine([(0, 1.0)], 0.0), affine([(1, 1.0)], 0.0)]],
         };
         let disc = programme.solve(1e-9).unwrap();
@@ -128,9 +134,8 @@ mod tests {
             programme.positive.push(affine([(columns, 1.0)], 0.0));
             for k in 0..columns {
                 programme.quadratic.push((k, k, 1.0));
-                for sign in [1.0, -1.0] {
-                    programme.positive.push(affine([(k, -sign), (columns, 1.0)], sign * number(k)));
-                }
+                let near = affine([(columns, 1.0)], 0.0);
+                programme.strips.push([near, affine([(k, -1.0)], number(k))]);
             }
             for k in 1..columns - 1 {
                 programme.quadratic.extend([(k - 1, k - 1, 1.0), (k - 1, k, -1.0), (k, k, 1.0)]);

@@ -59,7 +59,7 @@ pub fn exact_beyond_axis_limits(candidates: &[Candidate], tolerance: f64) -> Opt
 /// The remedy where only the default limits of planning are in the way.
 pub fn stated_ratio(best: &Candidate) -> String {
     format!(
-        "set diagonal_ratio = {:.4} ({:.3} um are left on an ideal worm, {:.1} mm of the worm are used) if the machine has that travel: the limit is a default of planning that no key changes, and a stated ratio is not bound by it; or reduce the amount, or take a worm with more threads",
+        "set diagonal_ratio = {:.4} ({:.3} um are left on an ideal worm, {:.1} mm of the worm are used) if the machine has that travel: the limit is one of planning (grinding.axis_limits), and a stated ratio is not bound by it; or reduce the amount, or take a worm with more threads",
         best.ratio,
         best.error * 1e3,
         best.occupation

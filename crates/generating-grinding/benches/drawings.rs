@@ -1,8 +1,9 @@
-//! Plans the drawings of `tests/drawings.json`, or of another file that holds an array of jobs, without the referee, and says what the exact
-//! contact finds on points that no fit uses.
+//! Plans the 120 ordinary drawings of `tests/drawings.json`, or another file that holds an array of jobs: seconds of each plan in process,
+//! without the referee, their median and 95th percentile, and what the exact contact finds on points that no fit uses.
 //!
-//! `cargo run --profile demo -p flankwright-generating-grinding --example drawings -- [FILE.json] [--rules] [--referee] [NAME ...]`; with
-//! `--rules` by the rules of planning alone, with `--referee` the whole run follows, and its verdict. `make drawings` runs them all.
+//! `cargo bench -p flankwright-generating-grinding --bench drawings -- [FILE.json] [--every N] [--rules] [--referee] [--machine NAME] [NAME ...]`;
+//! with `--every` each Nth drawing, with `--rules` by the rules of planning alone, with `--referee` the whole run and its verdict, with
+//! `--machine` the whole run on a machine of `machines/` with the proof of its program. `make drawings` runs them all.
 
 use foundation::geometry::Flank;
 use foundation::numerics::Silent;
@@ -10,8 +11,9 @@ use generating::{GrindingPlan, PlanningGrid};
 use generating_grinding::job::{Job, LoadedJob};
 use generating_grinding::workflow::{FlankResult, Prepared, plan_job, prepare};
 use job::{Source, parse_job_of};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::error::Error;
+use std::num::NonZero;
 use std::path::PathBuf;
 use std::time::Instant;
 use verdict::Status;
@@ -26,24 +28,40 @@ fn main() -> Result<(), Box<dyn Error>> {
         arguments.retain(|argument| argument != name);
         arguments.len() < before
     };
+    // Cargo adds it.
+    flag("--bench");
     let (with_referee, by_rules) = (flag("--referee"), flag("--rules"));
+    let mut value_of = |name: &str| {
+        let place = arguments.iter().position(|argument| argument == name)?;
+        arguments.remove(place);
+        (place < arguments.len()).then(|| arguments.remove(place))
+    };
+    let machine = value_of("--machine");
+    let every = value_of("--every").map_or(Ok(NonZero::<usize>::MIN), |every| every.parse())?;
     let file = match arguments.iter().position(|argument| argument.ends_with(".json")) {
         Some(place) => PathBuf::from(arguments.remove(place)),
         None => PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/drawings.json")),
     };
-    let all: Vec<Value> = serde_json::from_str(&std::fs::read_to_string(file)?)?;
+    let mut all: Vec<Value> = serde_json::from_str(&std::fs::read_to_string(file)?)?;
+    if let Some(machine) = &machine {
+        let file = format!("{}/../../machines/{machine}.toml", env!("CARGO_MANIFEST_DIR"));
+        for job in &mut all {
+            job["machine"] = json!({ "file": file });
+            job["output"] = json!({ "programs": ["siemens"], "tables": [] });
+        }
+    }
     let named = |job: &Value| {
         let name = job["job"]["name"].as_str().unwrap_or("unnamed").to_owned();
         (name, job.to_string())
     };
-    let mut jobs: Vec<(String, String)> = all.iter().map(named).collect();
+    let mut jobs: Vec<(String, String)> = all.iter().step_by(every.get()).map(named).collect();
     jobs.retain(|(name, _)| arguments.is_empty() || arguments.contains(name));
     let (mut met, mut missed, mut refused) = (0, 0, 0);
     let mut times = Vec::new();
     let mut counts = [0; 3];
     for (name, text) in &jobs {
         let loaded = parse_job_of::<Job>(Source::new("drawing.json", text))?;
-        if with_referee {
+        if with_referee || machine.is_some() {
             refereed(name, &loaded, &mut counts);
             continue;
         }
@@ -84,7 +102,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
         }
     }
-    if with_referee {
+    if with_referee || machine.is_some() {
         let [met, missed, refused] = counts;
         println!("{met} met, {missed} missed, {refused} refused of {}", jobs.len());
         return Ok(());
