@@ -352,15 +352,15 @@ impl PlanTask<'_> {
     fn ruled(&self, search: Search) -> Result<GrindingPlan, Box<NoPlan>> {
         let grid = self.planning_grid();
         let choice = self.choose_or_tried(&grid, search)?;
-        if let Some(plan) = self.cheaper(&grid, &choice) {
-            return Ok(plan);
-        }
         let (candidates, failed) = (choice.candidates.clone(), choice.failed.clone());
         if search == Search::Named
             && let Some(error) = self.hardly_sound(&choice)
             && !self.asks_too_much()
         {
             return Err(Box::new(NoPlan { error, candidates, failed }));
+        }
+        if let Some(plan) = self.cheaper(&grid, &choice) {
+            return Ok(plan);
         }
         let planned = match self.plan_with(&grid, choice.clone()) {
             // More than the dressing motion can make: the target is missed by its profile.
@@ -417,8 +417,9 @@ impl PlanTask<'_> {
         }
         let fitted = self.plan_by_fit(&ruled);
         if scans_later {
+            let enough = if self.prefer == Prefer::Accuracy { self.settled_at() } else { HALF };
             match fitted {
-                Some(fitted) if self.strain_of(&fitted) <= HALF * self.tolerance => return Ok(fitted),
+                Some(fitted) if self.strain_of(&fitted) <= enough * self.tolerance => return Ok(fitted),
                 _ => ruled = self.plan_by_rules(),
             }
         }
@@ -439,24 +440,32 @@ impl PlanTask<'_> {
         Flank::BOTH.into_iter().filter_map(of_flank).any(|half| half > TOO_MUCH * self.tolerance)
     }
 
-    /// Whether a plan by the rules needs no other: within the tolerance, and far enough from a fold and from the tolerance that points between
-    /// those of a grid do not tell another tale.
+    /// Share of the tolerance and least determinant ratio of a plan by the rules that needs no other: far enough from a fold and from the
+    /// tolerance that points between those of a grid do not tell another tale.
+    fn sound(&self) -> (f64, f64) {
+        match self.prefer {
+            Prefer::Accuracy => (self.settled_at(), LEAST_DETERMINANT),
+            Prefer::Worm | Prefer::Time if self.is_smooth() => (1.0, 0.0),
+            Prefer::Worm | Prefer::Time => (WELL_WITHIN, LEAST_DETERMINANT),
+        }
+    }
+
+    /// Whether a plan by the rules needs no other.
     fn is_sound(&self, plan: &GrindingPlan) -> bool {
-        let (share, least) = if self.is_smooth() { (1.0, 0.0) } else { (WELL_WITHIN, LEAST_DETERMINANT) };
+        let (share, least) = self.sound();
         self.deviation(plan) <= share * self.tolerance
             && plan.determinant >= self.least_determinant.max(least)
     }
 
-    /// Why a ratio will hardly become a sound plan of a target with edges, as its ideal tool tells.
+    /// Why a ratio will hardly become a sound plan, as its ideal tool tells.
     fn hardly_sound(&self, choice: &RatioChoice) -> Option<GeneratingError> {
         let chosen = choice.candidates.iter().find(|c| c.ratio == choice.ratio && c.place == choice.place)?;
-        let allowed = WELL_WITHIN * self.tolerance;
-        (chosen.error > allowed || chosen.determinant < LEAST_DETERMINANT).then(|| {
-            GeneratingError::ModelError {
-                ratio: chosen.ratio,
-                error_um: chosen.error * 1e3,
-                allowed_um: allowed * 1e3,
-            }
+        let (share, least) = self.sound();
+        let allowed = share * self.tolerance;
+        (chosen.error > allowed || chosen.determinant < least).then(|| GeneratingError::ModelError {
+            ratio: chosen.ratio,
+            error_um: chosen.error * 1e3,
+            allowed_um: allowed * 1e3,
         })
     }
 

@@ -1,6 +1,6 @@
 //! Plans by a best fit to the whole target (`docs/mathematics/best-fit.md`), for targets that the closed decomposition misses or refuses.
 
-use super::best_fit::{BestFit, BestFitTask, Contact, Contacts, Expected, Within};
+use super::best_fit::{BestFit, BestFitTask, Contact, Contacts, Expected, NEAR, Step, Within};
 use super::dressed::{DRESSING_MARGIN, finished_rolls};
 use super::plan::{Equipped, LARGEST_DRESSING_MARGIN, PlanTask, Records};
 use super::planning_grid::GroundError;
@@ -26,8 +26,10 @@ const CARRIED_OUT: usize = 6;
 /// Rounds of correction with the ideal worm, and with the worm as dressed.
 const ROUNDS: usize = 12;
 const DRESSED_ROUNDS: usize = 4;
-/// A round ends the correction at this share of the tolerance.
-const SETTLED: f64 = 0.25;
+/// Share of the tolerance within which commands are smooth in the end where accuracy is preferred.
+const ACCURATELY_NEAR: f64 = 0.02;
+/// A round ends the correction at this share of the tolerance beyond that.
+const SETTLED: f64 = 0.05;
 /// Price of moving the contact, what it grows by where a round does not come nearer, and falls by where it does; rounds that do not or hardly,
 /// one after the other, at most, and where a plan is good already; the largest price; and the share of the last distance below which a round within the tolerance is worth another.
 const HOLD: f64 = 10.0;
@@ -61,6 +63,9 @@ const RETRIES: usize = 2;
 const LESS_BENT: f64 = 0.4;
 /// Share of the least determinant ratio below which a command folds between the points of a grid: between them the second order tells it.
 const FOLDED: f64 = 0.5;
+/// A plan within so many tolerances is nearly one; ratios about its own that are tried then, as factors.
+const NEARLY: f64 = 2.5;
+const NEIGHBOURS: [f64; 4] = [1.04, 0.96, 1.1, 0.9];
 /// A fit that leaves more than this of what an unmodified flank would is hardly one.
 const OF_UNMODIFIED: f64 = 0.5;
 /// Tolerances within which the command stays near the target where none within one can be carried out.
@@ -69,11 +74,47 @@ const FURTHER: [f64; 4] = [3.0, 10.0, 30.0, 100.0];
 /// beyond that counts as a tolerance, mm.
 const ROOM_AT_ENDS: f64 = 0.02;
 const STRAINED: f64 = 0.3;
-/// Shares of what is wanted, one of which is made first where the whole folds, the largest step from there, the smallest, and how many of them.
-const FIRST_SHARES: [f64; 2] = [0.4, 0.15];
-const SHARE_STEP: f64 = 0.3;
-const LEAST_STEP: f64 = 0.03;
-const SHARES: usize = 10;
+/// The smallest step towards a command that folds, over the part that is reached then, and steps at most.
+const LEAST_STEP: f64 = 0.05;
+const PARTS: usize = 10;
+
+/// Ways to a command that folds if it is made at once; a part of 1 is the command.
+#[derive(Clone, Copy, Debug)]
+enum Way {
+    /// From smoother ones, further from the target.
+    Nearness,
+    /// From a share of what is wanted.
+    Share,
+}
+
+impl Way {
+    const ALL: [Self; 2] = [Self::Nearness, Self::Share];
+
+    /// Parts with which to begin.
+    fn first(self) -> &'static [f64] {
+        match self {
+            Self::Nearness => &[0.2, 0.05],
+            Self::Share => &[0.4, 0.15],
+        }
+    }
+
+    /// The next part.
+    fn more(self, part: f64) -> f64 {
+        match self {
+            Self::Nearness => 2.0 * part,
+            Self::Share => part + 0.3,
+        }
+        .min(1.0)
+    }
+
+    /// Share of what is wanted and nearness of a part.
+    fn aim(self, part: f64) -> (f64, f64) {
+        match self {
+            Self::Nearness => (1.0, NEAR / part),
+            Self::Share => (part, NEAR),
+        }
+    }
+}
 
 /// A fit at one ratio with its tool.
 struct FittedPlan {
@@ -142,6 +183,16 @@ impl PlanTask<'_> {
         self.ratio == Some(0.0) && !self.precompensation
     }
 
+    /// Shares of the tolerance within which commands are smooth, one after the other: from a smooth one near the target a nearer one is found.
+    fn nears(&self) -> &'static [f64] {
+        if self.prefer == Prefer::Accuracy { &[NEAR, ACCURATELY_NEAR] } else { &[NEAR] }
+    }
+
+    /// Share of the tolerance at which a plan is as near as it is wanted.
+    pub(super) fn settled_at(&self) -> f64 {
+        self.nears().last().copied().unwrap_or(NEAR) + SETTLED
+    }
+
     /// What fits on a grid are asked for, with functions of so many intervals over the flank; `None` where a target has no value there.
     fn fit_task<'g>(&'g self, grid: (&'g PlanningGrid, usize), within: Within) -> Option<BestFitTask<'g>> {
         let asked = (&self.targets, self.tolerance_map.as_ref(), self.keeps_natural_twist());
@@ -208,12 +259,28 @@ impl PlanTask<'_> {
                 best = Some(fitted);
             }
             let enough = match self.prefer {
-                Prefer::Accuracy => SETTLED,
+                Prefer::Accuracy => self.settled_at(),
                 Prefer::Worm | Prefer::Time if tried.len() < SOUGHT => GOOD,
                 Prefer::Worm | Prefer::Time => WITHIN,
             };
             if best.as_ref().is_some_and(|known| known.strain <= enough * self.tolerance) {
                 break;
+            }
+        }
+        if let (Some(known), None) = (&best, self.ratio)
+            && known.strain > WITHIN * self.tolerance
+            && known.strain <= NEARLY * self.tolerance
+        {
+            // What is missed by little a neighbour may make.
+            let about = known.plan.choice.ratio;
+            for by in NEIGHBOURS {
+                let Ok(fitted) = self.fitted_at(&task, &grid, by * about, ruled) else { continue };
+                if best.as_ref().is_none_or(|known| fitted.strain < known.strain) {
+                    best = Some(fitted);
+                }
+                if best.as_ref().is_some_and(|known| known.strain <= WITHIN * self.tolerance) {
+                    break;
+                }
             }
         }
         let best = best.map(|best| best.plan);
@@ -315,42 +382,46 @@ impl PlanTask<'_> {
         Ok(FittedPlan { plan, strain, folds })
     }
 
-    /// The first command with its contacts. Where it folds, a share of what is wanted comes first, and more of it from the contacts of each
-    /// share, as far as that goes.
+    /// The first command with its contacts. Where it folds, a smoother one comes first and is brought nearer from its contacts as far as that
+    /// goes; where that folds too, a share of what is wanted, and more of it.
     fn begun<'f>(
         &self,
         task: &'f BestFitTask<'_>,
         ratio: f64,
         carried_out: &impl Fn(IdealPlan) -> Result<(IdealPlan, Sides<Option<Contacts>>), GeneratingError>,
     ) -> Result<CarriedOut<'f, IdealPlan>, GeneratingError> {
-        let at = |share: f64| {
-            let fit = task.at(ratio, share)?;
+        let at = |way: Way, part: f64| {
+            let fit = task.at(ratio, way.aim(part))?;
             let (made, contacts) = task.plan(&fit).and_then(carried_out)?;
             Ok::<_, GeneratingError>(CarriedOut { fit, made, contacts })
         };
-        let refusal = match at(1.0) {
+        let refusal = match at(Way::Share, 1.0) {
             Ok(begun) => return Ok(begun),
             Err(error) => error,
         };
-        let first = FIRST_SHARES.into_iter().find_map(|share| at(share).ok().map(|begun| (share, begun)));
-        let (mut share, mut begun) = first.ok_or(refusal)?;
-        for _ in 0..SHARES {
-            let mut more = (share + SHARE_STEP).min(1.0);
-            let Some(mut fit) = begun.fit.next(self.setup, &begun.contacts, (more, HOLD)) else { break };
+        let first = |way: Way| {
+            way.first().iter().find_map(|&part| at(way, part).ok().map(|begun| (way, part, begun)))
+        };
+        let (way, mut part, mut begun) = Way::ALL.into_iter().find_map(first).ok_or(refusal)?;
+        for _ in 0..PARTS {
+            let mut more = way.more(part);
+            let (share, near) = way.aim(more);
+            let step = Step { share, hold: HOLD, near };
+            let Some(mut fit) = begun.fit.next(self.setup, &begun.contacts, step) else { break };
             let next = loop {
                 let carried = task.plan(&fit).and_then(carried_out);
                 if let Ok((made, contacts)) = carried {
                     break Some(CarriedOut { fit, made, contacts });
                 }
-                if more - share < LEAST_STEP {
+                if more - part < LEAST_STEP * more {
                     break None;
                 }
-                // A command on the way is a share on the way.
-                (fit, more) = (begun.fit.halfway(&fit), 0.5 * (share + more));
+                // A command on the way is a part of the way.
+                (fit, more) = (begun.fit.halfway(&fit), 0.5 * (part + more));
             };
             let Some(next) = next else { break };
-            (begun, share) = (next, more);
-            if share >= 1.0 {
+            (begun, part) = (next, more);
+            if part >= 1.0 {
                 break;
             }
         }
@@ -371,28 +442,34 @@ impl PlanTask<'_> {
         };
         let mut off = judge(&mut fit, &contacts);
         let mut record = vec![off];
-        let (mut hold, mut failed) = (HOLD, 0);
-        while record.len() <= rounds && off > SETTLED * self.tolerance && hold <= LARGEST_HOLD {
-            let patience = if off <= GOOD * self.tolerance { PATIENCE_WHERE_GOOD } else { FAILURES };
-            if failed > patience {
-                break;
-            }
-            let Some(mut tried) = fit.next(self.setup, &contacts, (1.0, hold)) else { break };
-            let carried = task.plan(&tried).and_then(&carried_out).ok();
-            let now = carried.as_ref().map(|(_, at)| judge(&mut tried, at));
-            record.extend(now);
-            match (carried, now) {
-                (Some((tool, at)), Some(now)) if now < off => {
-                    let settles = now > WORTH * off && now <= self.tolerance;
-                    failed = if now > HARDLY * off { failed + 1 } else { 0 };
-                    (fit, made, contacts, off) = (tried, tool, at, now);
-                    hold = HOLD.max(hold / LOOSER);
-                    if settles {
-                        break;
-                    }
+        for &near in self.nears() {
+            let (mut hold, mut failed, mut gently) = (HOLD, 0, 0);
+            let last = record.len() + rounds;
+            while record.len() < last && off > (near + SETTLED) * self.tolerance && hold <= LARGEST_HOLD {
+                let patience = if off <= GOOD * self.tolerance { PATIENCE_WHERE_GOOD } else { FAILURES };
+                if failed > patience {
+                    break;
                 }
-                // Too far for what the contact at the last command tells.
-                _ => (hold, failed) = (hold * TIGHTER, failed + 1),
+                // All that is wanted at once; after failures a part of what is missing.
+                let kept = 1.0 - f64::powi(0.5, gently);
+                let step = Step { share: 1.0, hold, near: near.max(kept * off / self.tolerance) };
+                let Some(mut tried) = fit.next(self.setup, &contacts, step) else { break };
+                let carried = task.plan(&tried).and_then(&carried_out).ok();
+                let now = carried.as_ref().map(|(_, at)| judge(&mut tried, at));
+                record.extend(now);
+                match (carried, now) {
+                    (Some((tool, at)), Some(now)) if now < off => {
+                        let settles = now > WORTH * off && now <= self.tolerance;
+                        failed = if now > HARDLY * off { failed + 1 } else { 0 };
+                        (fit, made, contacts, off) = (tried, tool, at, now);
+                        (hold, gently) = (HOLD.max(hold / LOOSER), (gently - 1).max(0));
+                        if settles {
+                            break;
+                        }
+                    }
+                    // Too far for what the contact at the last command tells.
+                    _ => (hold, failed, gently) = (hold * TIGHTER, failed + 1, gently + 1),
+                }
             }
         }
         (CarriedOut { fit, made, contacts }, record)

@@ -10,7 +10,7 @@ use super::bases::{Bases, Place, Ranges};
 use super::envelope::{Envelope, Section};
 use super::programme::{AxisShares, Curvature, FlankProgramme, Held, Limits, Reach};
 use super::smoother::{Rows, Smoother};
-use super::within::Within;
+use super::within::{NEAR, Within};
 use contact::ContactSolution;
 use foundation::geometry::Flank;
 use foundation::kinematics::{MotionLaw, PiecewisePolynomial};
@@ -52,6 +52,17 @@ struct PlannedFlank {
     functions: WormFunctions,
     /// What it costs: 1 is the tolerance or a limit of the envelope.
     cost: f64,
+}
+
+/// How the next command follows one.
+#[derive(Clone, Copy, Debug)]
+pub struct Step {
+    /// Share of what is wanted.
+    pub share: f64,
+    /// Price of touching elsewhere.
+    pub hold: f64,
+    /// Share of the tolerance below which smoothness counts more than nearness.
+    pub near: f64,
 }
 
 /// A command on its way to the flank that is wanted.
@@ -127,12 +138,12 @@ impl<'a> FlankFit<'a> {
     }
 
     /// The flank of least squares of least cost; `None` where nothing is finite.
-    fn planned(&self, share: f64) -> Option<PlannedFlank> {
+    fn planned(&self, share: f64, near: f64) -> Option<PlannedFlank> {
         let smoother = self.smoother();
         let mut best: Option<PlannedFlank> = None;
         for smoothness in SMOOTHNESS {
             let Some(x) = smoother.fit(smoothness, 0.0) else { continue };
-            let Some(planned) = self.planned_by(x, share) else { continue };
+            let Some(planned) = self.planned_by(x, share, near) else { continue };
             if best.as_ref().is_none_or(|known| planned.cost < known.cost) {
                 best = Some(planned);
             }
@@ -145,14 +156,14 @@ impl<'a> FlankFit<'a> {
     }
 
     /// A share of the flank with these coefficients.
-    fn planned_by(&self, mut x: Vec<f64>, share: f64) -> Option<PlannedFlank> {
+    fn planned_by(&self, mut x: Vec<f64>, share: f64, near: f64) -> Option<PlannedFlank> {
         x.iter_mut().for_each(|x| *x *= share);
         let functions = self.bases.functions(&x).ok()?;
         let curvature = extremes(
             self.points().flat_map(|(section, w, z)| self.envelope.foot(section, &functions, w, z).curvature),
         );
         let bent = f64::max(curvature[0] / CURVATURE[0], curvature[1] / CURVATURE[1]);
-        Some(PlannedFlank { functions, cost: self.missed_by(&x, share).max(bent) })
+        Some(PlannedFlank { functions, cost: (NEAR / near * self.missed_by(&x, share)).max(bent) })
     }
 
     /// What a flank with these coefficients leaves of a share of what is wanted, in tolerances.
@@ -169,14 +180,14 @@ impl<'a> FlankFit<'a> {
 
     /// What a plan is about to cost: the programme for the flank, to first order.
     pub fn estimate(&self) -> f64 {
-        let programmed = self.programmed(&self.unmoved(), self.wanted, (Curvature::FLANK, None));
+        let programmed = self.programmed(&self.unmoved(), self.wanted, (Curvature::FLANK, NEAR, None));
         programmed.map_or(f64::INFINITY, |programmed| programmed.cost)
     }
 
     /// A lower bound of what is left of the target, in tolerances, to first order: any flank of the class within the limits.
     pub fn least(&self, least_determinant: f64, limits: Limits) -> Option<f64> {
         let places = self.unmoved();
-        let rules = (Curvature::possible(least_determinant), None);
+        let rules = (Curvature::possible(least_determinant), NEAR, None);
         // What lies beside the face is bounded for the sake of the contact, not of the flank.
         FlankProgramme { beside: &[], ..self.programme(&places, self.wanted, rules) }.least_excess(limits)
     }
@@ -190,7 +201,7 @@ impl<'a> FlankFit<'a> {
     /// No less than that, by least squares, in a fraction of the time.
     pub fn quick_estimate(&self) -> f64 {
         let places = self.unmoved();
-        let programme = self.programme(&places, self.wanted, (Curvature::FLANK, None));
+        let programme = self.programme(&places, self.wanted, (Curvature::FLANK, NEAR, None));
         let smoother = self.smoother();
         let cost = |smoothness: f64| {
             let x = smoother.fit(smoothness, BEYOND_BY_SMOOTHNESS * smoothness)?;
@@ -199,9 +210,9 @@ impl<'a> FlankFit<'a> {
         SMOOTHNESS.into_iter().filter_map(cost).fold(f64::INFINITY, f64::min)
     }
 
-    /// The command that makes a share of what is wanted, from the predicted feet of a planned flank.
-    pub fn command(&self, share: f64) -> Option<FlankCommand> {
-        let planned = self.planned(share)?;
+    /// The command that makes a share of what is wanted, smooth within `near` tolerances, from the predicted feet of a planned flank.
+    pub fn command(&self, share: f64, near: f64) -> Option<FlankCommand> {
+        let planned = self.planned(share, near)?;
         let (places, values): (Vec<_>, Vec<f64>) = self
             .points()
             .zip(self.wanted)
@@ -211,14 +222,14 @@ impl<'a> FlankFit<'a> {
                 ((foot.place, there), share * wanted - foot.lift)
             })
             .unzip();
-        self.programmed(&places, &values, (Curvature::COMMAND, None))
+        self.programmed(&places, &values, (Curvature::COMMAND, near, None))
     }
 
     fn programmed(
         &self,
         places: &[(Place, Section)],
         wanted: &[f64],
-        rules: (Curvature, Option<Held<'_>>),
+        rules: (Curvature, f64, Option<Held<'_>>),
     ) -> Option<FlankCommand> {
         let (coefficients, cost) = self.programme(places, wanted, rules).solve()?;
         Some(FlankCommand { coefficients, cost })
@@ -228,7 +239,7 @@ impl<'a> FlankFit<'a> {
         &'p self,
         places: &'p [(Place, Section)],
         wanted: &'p [f64],
-        (curvature, held): (Curvature, Option<Held<'p>>),
+        (curvature, near, held): (Curvature, f64, Option<Held<'p>>),
     ) -> FlankProgramme<'p> {
         FlankProgramme {
             envelope: &self.envelope,
@@ -239,6 +250,7 @@ impl<'a> FlankFit<'a> {
             wanted,
             weights: self.weights,
             within: &self.within,
+            near,
             curvature,
             axes: self.axes,
             reach: self.reach.as_ref(),
@@ -260,17 +272,17 @@ impl<'a> FlankFit<'a> {
     /// Least determinant ratio of a command where the tool touched and between, in second order; `None` where the gap is not open.
     pub fn least_between(&self, command: &FlankCommand, at: &[(ContactSolution, (f64, f64))]) -> Option<f64> {
         let places = self.touched(at);
-        let rules = (Curvature::COMMAND, None);
+        let rules = (Curvature::COMMAND, NEAR, None);
         self.programme(&places, self.wanted, rules).least_determinant(&command.coefficients)
     }
 
     /// The next command, for a share of what is wanted, from where the tool touched: `at` are the contacts on the grid with their points
-    /// (w_1, z_1) on the unmodified worm. The flank follows the command one to one at a foot that is held; `hold` is the price of moving it.
+    /// (w_1, z_1) on the unmodified worm. The flank follows the command one to one at a foot that is held; `step` says how.
     pub fn next(
         &self,
         command: &FlankCommand,
         at: &[(ContactSolution, (f64, f64))],
-        (share, hold, cos_b2): (f64, f64, f64),
+        (Step { share, hold, near }, cos_b2): (Step, f64),
     ) -> Option<FlankCommand> {
         let places = self.touched(at);
         let own: Vec<Place> = places.iter().map(|(place, _)| *place).collect();
@@ -282,7 +294,7 @@ impl<'a> FlankFit<'a> {
             .map(|((command, wanted), (contact, _))| command + share * wanted - contact.f_n / cos_b2)
             .collect();
         let held = Held { coefficients: &command.coefficients, price: hold };
-        self.programmed(&places, &values, (Curvature::COMMAND, Some(held)))
+        self.programmed(&places, &values, (Curvature::COMMAND, near, Some(held)))
     }
 
     /// Largest distance of contacts to what is wanted, by weight, transverse, mm.

@@ -7,7 +7,7 @@ use super::super::{
     DressingLimits, DressingRows, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup,
     IdealPlan, PlanningGrid,
 };
-use super::flank::{FlankCommand, FlankFit};
+use super::flank::{FlankCommand, FlankFit, Step};
 use super::programme::{AxisShares, Limits};
 use super::within::Within;
 use contact::ContactSolution;
@@ -192,16 +192,18 @@ impl<'a> BestFitTask<'a> {
         Some(most / self.within.tolerance)
     }
 
-    /// The best fit at a ratio with its first command, for a share of what is wanted.
+    /// The best fit at a ratio with its first command, for a share of what is wanted, smooth within `near` tolerances.
     ///
     /// # Errors
     /// Where bodies have no contact of second order or numbers are not finite.
-    pub fn at(&self, ratio: f64, share: f64) -> Result<BestFit<'_>, GeneratingError> {
+    pub fn at(&self, ratio: f64, (share, near): (f64, f64)) -> Result<BestFit<'_>, GeneratingError> {
         let fits = self.fits(ratio)?;
         let command = |flank: Flank| {
             let fit = fits[flank].as_ref();
-            fit.map(|fit| fit.command(share).ok_or(GeneratingError::DegenerateDirection { flank, ratio }))
-                .transpose()
+            fit.map(|fit| {
+                fit.command(share, near).ok_or(GeneratingError::DegenerateDirection { flank, ratio })
+            })
+            .transpose()
         };
         let (left, right) = rayon::join(|| command(Flank::Left), || command(Flank::Right));
         let commands = Sides { left: left?, right: right? };
@@ -233,17 +235,17 @@ impl BestFit<'_> {
         Self { commands, ..self.clone() }
     }
 
-    /// The next best fit, for a share of what is wanted, from where the tool touched, with a price on touching elsewhere; `None` where a programme has no solution.
+    /// The next best fit, from where the tool touched; `None` where a programme has no solution.
     pub fn next(
         &self,
         setup: &GrindingSetup,
         contacts: &Sides<Option<Contacts>>,
-        (share, hold): (f64, f64),
+        step: Step,
     ) -> Option<Self> {
         let next = |flank: Flank| {
             let (fit, command, at) =
                 (self.fits[flank].as_ref()?, self.commands[flank].as_ref()?, contacts[flank].as_ref()?);
-            fit.next(command, at, (share, hold, setup.lines[flank].cos_b2))
+            fit.next(command, at, (step, setup.lines[flank].cos_b2))
         };
         let (left, right) = rayon::join(|| next(Flank::Left), || next(Flank::Right));
         let commands = Sides { left, right };

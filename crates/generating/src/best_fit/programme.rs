@@ -34,8 +34,6 @@ impl Curvature {
 const BEND_BY_EXCESS: f64 = 0.1;
 /// Price of the bend against smoothness.
 const BEND: f64 = 500.0;
-/// Share of the tolerance below which smoothness counts more than nearness.
-const NEAR: f64 = 0.2;
 /// Share of the limits of the axes that costs nothing, in first order; a bend adds to it.
 const AXES: f64 = 0.5;
 /// Length of roll on the worm by which contacts stay off its ends for nothing, mm; a bend takes it away. Contacts that are further than the second
@@ -114,6 +112,8 @@ pub struct FlankProgramme<'a> {
     pub weights: &'a [f64],
     /// The tolerance is transverse, and the tightest.
     pub within: &'a Within,
+    /// Share of the tolerance below which smoothness counts more than nearness.
+    pub near: f64,
     /// What the functions are.
     pub curvature: Curvature,
     /// The axes.
@@ -143,7 +143,7 @@ pub struct Limits {
 }
 
 impl FlankProgramme<'_> {
-    /// Coefficients, mm, and what they cost: 0.2 where nothing is difficult, 1 about at the tolerance. `None` if the programme cannot be solved.
+    /// Coefficients, mm, and what they cost: no more than `near` where nothing is difficult, 1 about at the tolerance. `None` if the programme cannot be solved.
     pub fn solve(&self) -> Option<(Vec<f64>, f64)> {
         let columns = self.bases.columns();
         let mut programme = ConeProgramme { cost: vec![0.0; columns + 2], ..ConeProgramme::default() };
@@ -155,14 +155,14 @@ impl FlankProgramme<'_> {
         }
         let room = vec![(bend, -1.0), (excess, BEND_BY_EXCESS)];
         programme.positive.push(Affine { entries: room, constant: self.within.bend });
-        self.stay_near(NEAR, &mut programme);
+        self.stay_near(self.near, &mut programme);
         self.keep_envelope(&mut programme)?;
         self.keep_reach(&mut programme);
         self.keep_axes(&mut programme);
         self.be_smooth(&mut programme);
         self.stay_where_it_touches(&mut programme);
         let ConeOptimum { mut x, .. } = programme.solve(ACCURACY)?;
-        let cost = NEAR + x.get(excess)?.max(0.0) + x.get(bend)?.max(0.0);
+        let cost = self.near + x.get(excess)?.max(0.0) + x.get(bend)?.max(0.0);
         x.truncate(columns);
         x.iter_mut().for_each(|x| *x *= self.within.tolerance);
         Some((x, cost))
@@ -194,7 +194,7 @@ impl FlankProgramme<'_> {
     /// What the programme costs at most: as much as with these coefficients, mm, which leave `off`, in tolerances. `None` where they are beyond
     /// the limits. Does not know the ends of the worm.
     pub fn cost_of(&self, x: &[f64], off: f64) -> Option<f64> {
-        let excess = (off - NEAR).max(0.0);
+        let excess = (off - self.near).max(0.0);
         let mut bend: f64 = 0.0;
         self.axes.each(self.bases, |entries| {
             let share: f64 = entries.iter().map(|&(k, share)| share * x[k]).sum();
@@ -205,7 +205,7 @@ impl FlankProgramme<'_> {
                 bend = bend.max((curved - self.curvature.free[side]) / self.curvature.by_bend[side]);
             }
         }
-        (bend <= self.within.bend + BEND_BY_EXCESS * excess).then_some(NEAR + excess + bend)
+        (bend <= self.within.bend + BEND_BY_EXCESS * excess).then_some(self.near + excess + bend)
     }
 
     /// Extremes of the curvature of functions with these coefficients, mm, over that of the gap.

@@ -2,6 +2,8 @@
 
 use super::super::DressingLimits;
 
+/// Share of the tolerance below which smoothness counts more than nearness.
+pub const NEAR: f64 = 0.2;
 /// The largest bend of a command against the gap: a determinant ratio of 0.3 (`docs/mathematics/best-fit.md#the-programme`).
 pub const LARGEST_BEND: f64 = 0.3;
 
