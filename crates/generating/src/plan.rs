@@ -462,7 +462,7 @@ impl PlanTask<'_> {
         let chosen = choice.candidates.iter().find(|c| c.ratio == choice.ratio && c.place == choice.place)?;
         let (share, least) = self.sound();
         let allowed = share * self.tolerance;
-        (chosen.error > allowed || chosen.determinant < least).then(|| GeneratingError::ModelError {
+        (chosen.error > allowed || chosen.determinant < least).then_some(GeneratingError::ModelError {
             ratio: chosen.ratio,
             error_um: chosen.error * 1e3,
             allowed_um: allowed * 1e3,
