@@ -75,10 +75,8 @@ mod tests {
         for k in 0..=40 {
             let x = a + (b - a) * f64::from(k) / 40.0;
             let [value, by_slope, constant] = table.values(x);
-            assert!(
-                (value - x.sin()).abs() < 1e-14 && (by_slope - x.cos()).abs() < 1e-12,
-                "{x}: {value} {by_slope}"
-            );
+            let apart = f64::max((value - sine.value(x)).abs(), (by_slope - slope.value(x)).abs());
+            assert!(apart < 1e-13, "{x}: {apart:e}");
             assert_eq!(constant, 3.0);
         }
     }
