@@ -203,12 +203,14 @@ impl PlanTask<'_> {
     pub(super) fn plan_by_fit(&self, ruled: &Result<GrindingPlan, Box<NoPlan>>) -> Option<GrindingPlan> {
         let first = Within::new(self.tolerance, self.limits);
         let fits = |grid| self.fit_task(grid, first);
-        let scan = PlanningGrid::new(self.setup, SCAN_GRID[0], SCAN_GRID[1]);
-        let scan = fits((&scan, SCAN_INTERVALS))?;
+        let coarse = PlanningGrid::new(self.setup, SCAN_GRID[0], SCAN_GRID[1]);
         // All are compared where the first one, found with few, is not enough.
-        let (mut ratios, mut compared) = match self.ratio {
-            Some(ratio) => (vec![Expected { ratio, cost: 0.0 }], true),
-            None => (scan.easiest(self.prefer).into_iter().collect(), false),
+        let (mut ratios, mut scan): (Vec<Expected>, _) = match self.ratio {
+            Some(ratio) => (vec![Expected { ratio, cost: 0.0 }], None),
+            None => {
+                let scan = fits((&coarse, SCAN_INTERVALS))?;
+                (scan.easiest(self.prefer).into_iter().collect(), Some(scan))
+            }
         };
         let grid = PlanningGrid::new(self.setup, FIT_GRID[0], FIT_GRID[1]).closer_at_ends();
         let task = fits((&grid, FIT_INTERVALS))?;
@@ -223,10 +225,8 @@ impl PlanTask<'_> {
             };
             let found = ratios.iter().find(next).copied();
             let Some(Expected { ratio, .. }) = found else {
-                if compared {
-                    break;
-                }
-                (ratios, compared) = (scan.ratios(self.prefer), true);
+                let Some(scan) = scan.take() else { break };
+                ratios = scan.ratios(self.prefer);
                 continue;
             };
             tried.push(ratio);
@@ -267,19 +267,20 @@ impl PlanTask<'_> {
                 break;
             }
         }
-        if let (Some(known), None) = (&best, self.ratio)
+        if let (Some(known), None) = (&mut best, self.ratio)
             && known.strain > WITHIN * self.tolerance
             && known.strain <= NEARLY * self.tolerance
         {
             // What is missed by little a neighbour may make.
             let about = known.plan.choice.ratio;
             for by in NEIGHBOURS {
-                let Ok(fitted) = self.fitted_at(&task, &grid, by * about, ruled) else { continue };
-                if best.as_ref().is_none_or(|known| fitted.strain < known.strain) {
-                    best = Some(fitted);
-                }
-                if best.as_ref().is_some_and(|known| known.strain <= WITHIN * self.tolerance) {
+                if known.strain <= WITHIN * self.tolerance {
                     break;
+                }
+                if let Ok(fitted) = self.fitted_at(&task, &grid, by * about, ruled)
+                    && fitted.strain < known.strain
+                {
+                    *known = fitted;
                 }
             }
         }

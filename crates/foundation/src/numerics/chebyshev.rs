@@ -10,6 +10,12 @@ pub struct Chebyshev {
     coefficients: Vec<f64>,
 }
 
+/// Whether `x` lies between `a` and `b`, with a margin of 1e-9 of their distance for rounding.
+pub(super) fn covers((a, b): (f64, f64), x: f64) -> bool {
+    let margin = 1e-9 * (b - a);
+    x >= a - margin && x <= b + margin
+}
+
 impl Chebyshev {
     /// The `n` Chebyshev nodes (first kind) of `[a, b]`, ascending.
     pub fn nodes(a: f64, b: f64, n: usize) -> Vec<f64> {
@@ -68,8 +74,7 @@ impl Chebyshev {
 
     /// Whether `x` lies in the interval, with a margin of 1e-9 of its length for rounding.
     pub fn covers(&self, x: f64) -> bool {
-        let margin = 1e-9 * (self.b - self.a);
-        x >= self.a - margin && x <= self.b + margin
+        covers(self.interval(), x)
     }
 
     /// Value at `x` (Clenshaw's recurrence).

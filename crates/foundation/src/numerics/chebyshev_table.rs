@@ -1,6 +1,6 @@
 //! Several Chebyshev series of one interval, evaluated together: one recurrence for all, and sums side by side.
 
-use super::Chebyshev;
+use super::chebyshev::{Chebyshev, covers};
 
 /// N series of one interval.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,8 +40,7 @@ impl<const N: usize> ChebyshevTable<N> {
 
     /// Whether `x` lies in the interval, with a margin of 1e-9 of its length for rounding.
     pub fn covers(&self, x: f64) -> bool {
-        let margin = 1e-9 * (self.b - self.a);
-        x >= self.a - margin && x <= self.b + margin
+        covers(self.interval(), x)
     }
 
     /// Values at `x`; outside the interval the polynomials continue.

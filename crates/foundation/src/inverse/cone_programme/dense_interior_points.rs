@@ -1,7 +1,7 @@
 //! Interior points for cone programmes of few variables and many short rows: the normal equations of a step are small and dense there, and a
 //! Cholesky factor of them costs a fraction of a sparse factor of the whole system. Columns are taken in fours, as splines have them. A
-//! primal-dual method with the scaling of Nesterov and Todd
-//! and Mehrotra's corrector, as in L. Vandenberghe, "The CVXOPT linear and quadratic cone program solvers" (2010). Knows no gears.
+//! primal-dual method with the scaling of Nesterov and Todd and Mehrotra's corrector, as in L. Vandenberghe, "The CVXOPT linear and quadratic
+//! cone program solvers" (2010). Knows no gears.
 
 use super::{Affine, ConeOptimum, ConeProgramme};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
