@@ -9,7 +9,7 @@ use toml_edit::DocumentMut;
 /// Each crate with the crates of this project that its sources depend on. The referee shares no formula with what it judges: it stands
 /// on the foundation alone, and neither contact nor a process knows it. `finding` holds no formula, only how an error gives its code and
 /// its way out: it is open to every crate but those that depend on none of ours.
-const CRATES: [(&str, &[&str]); 34] = [
+const CRATES: [(&str, &[&str]); 35] = [
     ("electronic-gearbox", &[]),
     ("finding-derive", &[]),
     ("nc", &[]),
@@ -30,6 +30,7 @@ const CRATES: [(&str, &[&str]); 34] = [
     ("control", &["contact", "electronic-gearbox", "finding", "foundation"]),
     ("generating", &["contact", "dressing", "finding", "foundation"]),
     ("motion", &["finding", "foundation", "machine", "nc"]),
+    ("grinding-technology", &["contact", "finding", "foundation", "motion"]),
     (
         "run",
         &[
@@ -185,6 +186,7 @@ const CRATES: [(&str, &[&str]); 34] = [
             "flankwright",
             "foundation",
             "generating",
+            "grinding-technology",
             "job",
             "machine",
             "measured-files",

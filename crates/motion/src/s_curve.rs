@@ -70,6 +70,12 @@ impl SCurve {
         0.5 * self.speed * (2.0 * jerk + constant)
     }
 
+    /// Time of getting up to speed and down again, less what the same way takes at that speed, s.
+    pub fn ramp_time(&self) -> f64 {
+        let [jerk, constant, _] = self.times;
+        2.0 * jerk + constant
+    }
+
     /// Way, speed and acceleration at a time after the start, s; held at both ends.
     pub fn at(&self, t: f64) -> [f64; 3] {
         let total = self.duration();

@@ -37,6 +37,7 @@ mod schema;
 mod skiving;
 mod step_simulation;
 mod tangential;
+mod technology;
 mod terms;
 mod variable_ratio;
 

@@ -7,7 +7,7 @@ use super::reference::Reference;
 use super::{
     areas, contact, decompositions, dressing, equal_ratio, gearbox, gears, ground_flank,
     ground_modifications, inspection, least_squares, machines, milling, modifications, planning, skiving,
-    tangential, variable_ratio,
+    tangential, technology, variable_ratio,
 };
 use serde::Serialize;
 use serde_json::Value;
@@ -36,6 +36,9 @@ pub enum Schema {
     /// Tangential dressing.
     #[serde(rename = "40-tdm")]
     TangentialDressing,
+    /// Stock, removal, wear, time and cost of generating grinding.
+    #[serde(rename = "45-grinding-technology")]
+    GrindingTechnology,
     /// Five-axis milling.
     #[serde(rename = "50-milling")]
     Milling,
@@ -83,7 +86,7 @@ const HEADERS: [&str; 13] = [
 ];
 
 impl Schema {
-    const ALL: [Schema; 11] = [
+    const ALL: [Schema; 12] = [
         Self::Gears,
         Self::Contact,
         Self::Modifications,
@@ -91,6 +94,7 @@ impl Schema {
         Self::Planning,
         Self::Dressing,
         Self::TangentialDressing,
+        Self::GrindingTechnology,
         Self::Milling,
         Self::Skiving,
         Self::Gearbox,
@@ -107,6 +111,7 @@ impl Schema {
             Self::Planning => "28-planning",
             Self::Dressing => "30-dressing",
             Self::TangentialDressing => "40-tdm",
+            Self::GrindingTechnology => "45-grinding-technology",
             Self::Milling => "50-milling",
             Self::Skiving => "60-skiving",
             Self::Gearbox => "70-gearbox",
@@ -186,6 +191,7 @@ impl Schema {
                     ]
                 }
             }
+            Self::GrindingTechnology => const { &[Block::checked("cases", technology::cases)] },
             Self::Milling => {
                 const {
                     &[
@@ -286,6 +292,8 @@ impl Schema {
             let has = |key: &str| case["input"].get(key).is_some();
             if has("chain") {
                 return Some(Self::Contact);
+            } else if has("stock") && has("strokes") {
+                return Some(Self::GrindingTechnology);
             } else if has("modifications") || has("worm_threads") {
                 return Some(Self::Planning);
             } else if has("z_S") {

@@ -52,6 +52,12 @@ fn tangential_dressing_passes_whole() {
 }
 
 #[test]
+fn grinding_technology_passes_whole() {
+    let report = passes("45-grinding-technology.json", 14900);
+    assert_eq!(report.schema, Schema::GrindingTechnology);
+}
+
+#[test]
 fn gearbox_passes_whole() {
     let report = passes("70-gearbox.json", 3200);
     assert_eq!(report.schema, Schema::Gearbox);

@@ -1,0 +1,89 @@
+//! Integrals along the face width of stock that is linear between equidistant places.
+
+/// Mean of what lies between `low` and `high`.
+pub(crate) fn mean_between(stock: &[f64], [low, high]: [f64; 2]) -> f64 {
+    // Integral of the clamped value over the value itself.
+    let primitive = |a: f64| {
+        let inside = a.clamp(low, high) - low;
+        0.5 * inside * inside + if a > high { (a - high) * (high - low) } else { 0.0 }
+    };
+    let cell = |pair: &[f64]| {
+        let (a, b) = (pair[0], pair[1]);
+        if (b - a).abs() <= 1e-9 * (high.min(1.0) - low).abs() {
+            (0.5 * (a + b)).clamp(low, high) - low
+        } else {
+            (primitive(b) - primitive(a)) / (b - a)
+        }
+    };
+    stock.windows(2).map(cell).sum::<f64>() / (stock.len() - 1) as f64
+}
+
+/// Section that goes per feed: the integral of H D over the places with 0 < D and H D^2/2 below the depth of cut. `reach` are the distances
+/// sqrt(2 a_e/H) along the face width, `ahead` is D at its first place and D at its last.
+pub(crate) fn section(
+    reach: impl Iterator<Item = f64>,
+    cells: usize,
+    ahead: [f64; 2],
+    curvature: f64,
+) -> f64 {
+    let at = |k: usize| ahead[0] + (ahead[1] - ahead[0]) * k as f64 / cells as f64;
+    let mut sum = 0.0;
+    let mut before: Option<(f64, f64)> = None;
+    for (k, reach) in reach.enumerate() {
+        let now = (at(k), reach);
+        if let Some(before) = before {
+            sum += cell(before, now);
+        }
+        before = Some(now);
+    }
+    // D runs with z, up or down: H/2 times the squares at the ends of what is cut.
+    0.5 * curvature * sum
+}
+
+/// |D^2| between the ends of the part of a cell where 0 < D < reach.
+fn cell((d_0, reach_0): (f64, f64), (d_1, reach_1): (f64, f64)) -> f64 {
+    if reach_0 <= 0.0 && reach_1 <= 0.0 {
+        return 0.0;
+    }
+    let (mut from, mut to) = (0.0_f64, 1.0_f64);
+    for (a, b) in [(d_0, d_1), (reach_0 - d_0, reach_1 - d_1)] {
+        // Where a + t (b - a) > 0.
+        if a <= 0.0 && b <= 0.0 {
+            return 0.0;
+        }
+        if a < 0.0 {
+            from = from.max(a / (a - b));
+        } else if b < 0.0 {
+            to = to.min(a / (a - b));
+        }
+    }
+    if to <= from {
+        return 0.0;
+    }
+    let at = |t: f64| d_0 + t * (d_1 - d_0);
+    (at(to).powi(2) - at(from).powi(2)).abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_lies_between_is_exact_for_lines() {
+        // 0 to 4, between 1 and 2: half of what is above 1 counts whole.
+        assert!((mean_between(&[0.0, 4.0], [1.0, 2.0]) - (0.25 * 0.5 + 0.5 * 1.0)).abs() < 1e-15);
+        assert!((mean_between(&[4.0, 0.0], [1.0, f64::INFINITY]) - 0.25 * 3.0 * 1.5).abs() < 1e-15);
+        assert_eq!(mean_between(&[0.5, 0.5, 0.5], [1.0, 2.0]), 0.0);
+        assert_eq!(mean_between(&[1.5, 1.5], [1.0, 2.0]), 0.5);
+    }
+
+    #[test]
+    fn a_section_inside_the_stock_is_the_depth_of_cut() {
+        let (curvature, depth) = (0.002, 0.07);
+        let reach = f64::sqrt(2.0 * depth / curvature);
+        let whole = section([reach; 41].into_iter(), 40, [20.0, -20.0], curvature);
+        assert!((whole - depth).abs() < 1e-15);
+        let entering = section([reach; 2].into_iter(), 1, [3.0, -37.0], curvature);
+        assert!((entering - 0.5 * curvature * 9.0).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,288 @@
+//! The fastest cycle within the shop's limits: roughing strokes of equal thickness with one feed and without shift, then one finishing stroke.
+
+use super::cycle::contact_feeds;
+use super::error::{in_range, positive};
+use super::level::ZoneLimits;
+use super::time::{Axes, Driven};
+use super::{Bodies, Direction, Infeed, STATIONS, TechnologyError};
+use foundation::geometry::{Flank, Sides};
+use foundation::numerics::{equidistant, golden_section};
+use rayon::prelude::*;
+
+/// Depths of finishing that are looked at before the best is refined, and steps of that.
+const SCANNED: usize = 161;
+const REFINED: usize = 40;
+/// Factors on both limits of Q'_w for the picture of time, load and parts.
+const FACTORS: [f64; 5] = [0.5, 0.7, 1.0, 1.4, 2.0];
+
+/// Limits and figures of the search. mm, s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OptimumTask {
+    /// Stock on both flanks, mm.
+    pub stock: f64,
+    /// m/s.
+    pub cutting_speed: f64,
+    /// Feed per workpiece revolution, mm.
+    pub least_feed: f64,
+    /// The same.
+    pub largest_feed: f64,
+    /// Largest height of the feed marks of finishing, mm.
+    pub feed_mark: f64,
+    /// Largest Q'_w of roughing, mm^3/(mm s).
+    pub rate_roughing: f64,
+    /// The same of finishing.
+    pub rate_finishing: f64,
+    /// Depth of finishing, mm.
+    pub least_finishing: f64,
+    /// The same.
+    pub most_finishing: f64,
+    /// Roughing strokes, at most.
+    pub most_roughing_strokes: usize,
+    /// Diagonal ratio of finishing.
+    pub ratio_finishing: f64,
+    /// Way beyond first and last contact, each, mm.
+    pub overrun: f64,
+    /// Way of the infeed, mm.
+    pub clearance: f64,
+    /// Times beside grinding, s.
+    pub auxiliary: f64,
+    /// Between two strokes, s.
+    pub between_strokes: f64,
+    /// One dressing, s.
+    pub dressing: f64,
+    /// Zones of the worm.
+    pub zones: ZoneLimits,
+}
+
+/// A cycle at its best for one number of roughing strokes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BestCycle {
+    /// Depth of finishing, mm.
+    pub finishing: f64,
+    /// Feeds per workpiece revolution of roughing (0 without) and finishing, mm.
+    pub feeds: [f64; 2],
+    /// Time of a part with its share of dressing, s.
+    pub time: f64,
+    /// Parts between two dressings, not whole.
+    pub parts: f64,
+    /// Largest Q'_w of roughing (0 without) and finishing, mm^3/(mm s).
+    pub rates: [f64; 2],
+    /// Height of the feed marks of finishing, mm.
+    pub feed_mark: f64,
+}
+
+/// One row of the table or of the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OptimumRow {
+    /// Factor on both limits of Q'_w.
+    pub limit_factor: f64,
+    /// Roughing strokes.
+    pub roughing_strokes: usize,
+    /// `None` where no cycle keeps the limits.
+    pub cycle: Option<BestCycle>,
+}
+
+/// The fastest cycle, what each number of roughing strokes comes to, and how time goes with the load.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Optimum {
+    /// The fastest.
+    pub best: OptimumRow,
+    /// By the number of roughing strokes.
+    pub by_roughing_strokes: Vec<OptimumRow>,
+    /// By the load.
+    pub pareto: Vec<OptimumRow>,
+}
+
+/// What the search needs of the bodies.
+struct Figures<'a> {
+    task: &'a OptimumTask,
+    bodies: &'a Bodies,
+    axes: &'a Axes,
+    curvature: Sides<[f64; STATIONS]>,
+    /// G': Q'_w per feed and depth.
+    rate: f64,
+    /// Largest M times b, mm^2.
+    wear: f64,
+    /// Largest feed for the feed marks, mm.
+    by_mark: f64,
+    largest_curvature: f64,
+}
+
+impl OptimumTask {
+    fn check(&self) -> Result<(), TechnologyError> {
+        for (field, value) in [
+            ("optimise.stock_um", 1e3 * self.stock),
+            ("optimise.cutting_speed_m_per_s", self.cutting_speed),
+            ("optimise.least_feed", self.least_feed),
+            ("optimise.feed_mark_um", 1e3 * self.feed_mark),
+            ("optimise.Qw_roughing", self.rate_roughing),
+            ("optimise.Qw_finishing", self.rate_finishing),
+            ("optimise.least_finishing_um", 1e3 * self.least_finishing),
+            ("optimise.zone_width", self.zones.zone_width),
+            ("optimise.allowed_Vw_roughing", self.zones.allowed_roughing),
+            ("optimise.allowed_Vw_finishing", self.zones.allowed_finishing),
+        ] {
+            positive(field, value)?;
+        }
+        for (field, value) in [
+            ("optimise.overrun", self.overrun),
+            ("optimise.clearance", self.clearance),
+            ("optimise.auxiliary_s", self.auxiliary),
+            ("optimise.between_strokes_s", self.between_strokes),
+            ("optimise.dressing_s", self.dressing),
+        ] {
+            in_range(field, value, value >= 0.0, ">= 0")?;
+        }
+        in_range("optimise.K_finishing", self.ratio_finishing, true, "a finite number")?;
+        let above = |least: f64| format!(">= {least}");
+        let (feed, finishing, gap) = (self.largest_feed, 1e3 * self.most_finishing, self.zones.zone_gap);
+        in_range("optimise.largest_feed", feed, feed >= self.least_feed, &above(self.least_feed))?;
+        let least = 1e3 * self.least_finishing;
+        in_range("optimise.most_finishing_um", finishing, finishing >= least, &above(least))?;
+        let narrow = format!(">= 0 and below zone_width = {}", self.zones.zone_width);
+        in_range("optimise.zone_gap", gap, gap >= 0.0 && gap < self.zones.zone_width, &narrow)?;
+        Ok(())
+    }
+
+    /// The fastest cycle on these bodies and axes.
+    ///
+    /// # Errors
+    /// `OutOfRange`; `NoFeasiblePlan` with the limit that binds and the value that would do.
+    pub fn solve(&self, bodies: &Bodies, axes: &Axes) -> Result<Optimum, TechnologyError> {
+        self.check()?;
+        axes.check()?;
+        let curvature = Sides::from_fn(|flank| {
+            bodies.flanks[flank].stations().map(|w| bodies.flanks[flank].gap_curvature(w))
+        });
+        let largest_curvature = bodies.largest(|engagement, w| engagement.gap_curvature(w));
+        let density =
+            bodies.largest(|engagement, w| engagement.area_density(w) / engagement.profile_width(w));
+        let figures = Figures {
+            task: self,
+            bodies,
+            axes,
+            curvature,
+            rate: bodies.threads() * bodies.speeds(self.cutting_speed)[0] * density,
+            wear: bodies.face_width * bodies.largest(|engagement, w| engagement.wear_factor(w)),
+            by_mark: (8.0 * self.feed_mark / largest_curvature).sqrt(),
+            largest_curvature,
+        };
+        let table = |limit_factor: f64| -> Vec<OptimumRow> {
+            (0..=self.most_roughing_strokes)
+                .into_par_iter()
+                .map(|roughing_strokes| OptimumRow {
+                    limit_factor,
+                    roughing_strokes,
+                    cycle: figures.best(roughing_strokes, limit_factor),
+                })
+                .collect()
+        };
+        let by_roughing_strokes = table(1.0);
+        let best = fastest(&by_roughing_strokes).filter(|row| row.cycle.is_some());
+        let best = best.ok_or_else(|| figures.infeasible())?;
+        let pareto = FACTORS.into_iter().filter_map(|factor| fastest(&table(factor))).collect();
+        Ok(Optimum { best, by_roughing_strokes, pareto })
+    }
+}
+
+/// The row that takes least time; the first one where none keeps the limits.
+fn fastest(rows: &[OptimumRow]) -> Option<OptimumRow> {
+    let time = |row: &OptimumRow| row.cycle.map_or(f64::INFINITY, |cycle| cycle.time);
+    rows.iter().copied().min_by(|a, b| time(a).total_cmp(&time(b)))
+}
+
+impl Figures<'_> {
+    /// The best depth of finishing for a number of roughing strokes.
+    fn best(&self, roughing: usize, factor: f64) -> Option<BestCycle> {
+        if roughing == 0 {
+            return self.at(0, factor, self.task.stock);
+        }
+        // Something is left for roughing.
+        let most = self.task.most_finishing.min(self.task.stock * (1.0 - 1e-9));
+        let least = self.task.least_finishing;
+        if least > most {
+            return None;
+        }
+        let time =
+            |finishing: f64| self.at(roughing, factor, finishing).map_or(f64::INFINITY, |cycle| cycle.time);
+        let scanned = equidistant([least, most], SCANNED);
+        let place = (0..scanned.len()).min_by(|a, b| time(scanned[*a]).total_cmp(&time(scanned[*b])))?;
+        let [from, to] = [place.saturating_sub(1), (place + 1).min(scanned.len() - 1)].map(|k| scanned[k]);
+        let refined = golden_section(from, to, REFINED, time);
+        let better = if time(refined) < time(scanned[place]) { refined } else { scanned[place] };
+        self.at(roughing, factor, better)
+    }
+
+    /// The cycle with the largest feeds for a depth of finishing; `None` where one is below the least.
+    fn at(&self, roughing: usize, factor: f64, finishing: f64) -> Option<BestCycle> {
+        let task = self.task;
+        let feed_finishing =
+            task.largest_feed.min(factor * task.rate_finishing / (self.rate * finishing)).min(self.by_mark);
+        let depth = if roughing > 0 { (task.stock - finishing) / roughing as f64 } else { 0.0 };
+        let feed_roughing = if roughing > 0 {
+            task.largest_feed.min(factor * task.rate_roughing / (self.rate * depth))
+        } else {
+            0.0
+        };
+        if feed_finishing < task.least_feed || roughing > 0 && feed_roughing < task.least_feed {
+            return None;
+        }
+        let rough =
+            (1..=roughing).map(|i| self.stroke(task.stock - depth * i as f64, depth, feed_roughing, 0.0));
+        let strokes = rough.sum::<f64>() + self.stroke(0.0, finishing, feed_finishing, task.ratio_finishing);
+        let taken = (roughing > 0).then_some(self.wear * (task.stock - finishing));
+        let parts = task.zones.parts(taken, self.wear * finishing);
+        let between = task.between_strokes * roughing as f64;
+        Some(BestCycle {
+            finishing,
+            feeds: [feed_roughing, feed_finishing],
+            time: task.auxiliary + strokes + between + task.dressing / parts,
+            parts,
+            rates: [self.rate * feed_roughing * depth, self.rate * feed_finishing * finishing],
+            feed_mark: self.largest_curvature * feed_finishing * feed_finishing / 8.0,
+        })
+    }
+
+    /// Time of one stroke that leaves `left` after a depth of cut, s.
+    fn stroke(&self, left: f64, depth: f64, feed: f64, ratio: f64) -> f64 {
+        let infeed = Infeed::new(self.bodies, Sides::both(left));
+        let flanks = Sides::from_fn(|flank: Flank| {
+            let raised = self.bodies.flanks[flank].raised(infeed.delta_d)[1];
+            (raised, self.curvature[flank].map(|h| (2.0 * depth / h).sqrt()))
+        });
+        let [first, last] = contact_feeds(self.bodies, Direction::Up, &flanks);
+        let driven = Driven {
+            feed: feed * self.bodies.speeds(self.task.cutting_speed)[1],
+            per_revolution: feed,
+            ratio,
+            sign: Direction::Up.sign(),
+            travel: (last - first).abs() + 2.0 * self.task.overrun,
+        };
+        driven.time(self.bodies, self.axes, self.task.clearance).total
+    }
+
+    /// Why no number of roughing strokes will do: the limit that leaves the least feed at the shallowest cuts.
+    fn infeasible(&self) -> TechnologyError {
+        let task = self.task;
+        let finishing = task.least_finishing.min(task.stock);
+        let most = task.most_roughing_strokes;
+        let depth = if most > 0 { (task.stock - finishing) / most as f64 } else { 0.0 };
+        let finishing = if most > 0 { finishing } else { task.stock };
+        let least = task.least_feed;
+        let mut limits = vec![
+            (
+                "optimise.Qw_finishing",
+                task.rate_finishing / (self.rate * finishing),
+                least * self.rate * finishing,
+            ),
+            ("optimise.feed_mark_um", self.by_mark, 1e3 * self.largest_curvature * least * least / 8.0),
+        ];
+        if depth > 0.0 {
+            let roughing = task.rate_roughing / (self.rate * depth);
+            limits.push(("optimise.Qw_roughing", roughing, least * self.rate * depth));
+        }
+        let binding = limits.into_iter().min_by(|a, b| a.1.total_cmp(&b.1));
+        let (limit, feed, needed) = binding.unwrap_or(("optimise.least_feed", 0.0, 0.0));
+        TechnologyError::NoFeasiblePlan { limit, feed, least, needed }
+    }
+}

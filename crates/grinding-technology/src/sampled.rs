@@ -1,0 +1,88 @@
+//! Stock of one flank on lengths of roll and along the face width, for integrals over both.
+
+use super::{Bodies, StockField};
+use foundation::geometry::Flank;
+use foundation::numerics::equidistant;
+use rayon::prelude::*;
+
+/// Intervals along the profile, or along each piece of it between breaks, and along the face width.
+const ALONG_PROFILE: usize = 48;
+const ALONG_FACE: usize = 64;
+/// Along the face width where there are few lengths of roll.
+const ALONG_FACE_OF_FEW: usize = 192;
+/// The same for stock that is the same everywhere, where the integral along the face width is exact.
+const ALONG_PROFILE_CONSTANT: usize = 2048;
+
+/// a_0 on a grid.
+#[derive(Clone, Debug)]
+pub(crate) struct Sampled {
+    /// Lengths of roll, rising, mm.
+    pub w: Vec<f64>,
+    /// Axial places, rising, mm.
+    pub z: Vec<f64>,
+    /// Spaces that differ.
+    pub spaces: usize,
+    /// Spaces of the workpiece for each of them.
+    pub alike: f64,
+    /// [w][space][z].
+    values: Vec<f64>,
+}
+
+/// Lengths of roll over the profile with so many intervals on each piece between breaks of the stock, mm.
+pub(crate) fn rolls(field: &StockField, bodies: &Bodies, flank: Flank, intervals: usize) -> Vec<f64> {
+    let [from, to] = bodies.flanks[flank].roll;
+    let mut ends = vec![from];
+    ends.extend(field.breaks(flank));
+    ends.push(to);
+    let mut w: Vec<f64> =
+        ends.windows(2).flat_map(|ends| equidistant([ends[0], ends[1]], intervals + 1)).collect();
+    w.dedup();
+    w
+}
+
+/// Trapezoidal weights of rising places.
+pub(crate) fn weights(places: &[f64]) -> Vec<f64> {
+    let last = places.len() - 1;
+    (0..=last).map(|k| 0.5 * (places[(k + 1).min(last)] - places[k.saturating_sub(1)])).collect()
+}
+
+impl Sampled {
+    /// For integrals over the whole flank.
+    pub fn whole(field: &StockField, bodies: &Bodies, flank: Flank) -> Self {
+        let intervals = if field.is_constant() { ALONG_PROFILE_CONSTANT } else { ALONG_PROFILE };
+        Self::with_cells(field, bodies, flank, rolls(field, bodies, flank, intervals), ALONG_FACE)
+    }
+
+    /// At a few lengths of roll.
+    pub fn at(field: &StockField, bodies: &Bodies, flank: Flank, w: Vec<f64>) -> Self {
+        Self::with_cells(field, bodies, flank, w, ALONG_FACE_OF_FEW)
+    }
+
+    fn with_cells(field: &StockField, bodies: &Bodies, flank: Flank, w: Vec<f64>, cells: usize) -> Self {
+        let half = 0.5 * bodies.face_width;
+        let cells = if field.is_constant() { 1 } else { cells };
+        let z = equidistant([-half, half], cells + 1);
+        let spaces = if field.is_alike() { 1 } else { field.spaces() };
+        let own: Vec<_> = (0..spaces).map(|k| field.of_space(flank, k)).collect();
+        let row = |&w: &f64| -> Vec<f64> {
+            let places: Vec<_> = z.iter().map(|&z| field.of_place(flank, w, z)).collect();
+            own.iter().flat_map(|own| places.iter().map(|place| own.on(*place))).collect()
+        };
+        let values = w.par_iter().flat_map_iter(row).collect();
+        let alike = field.spaces() as f64 / spaces as f64;
+        Self { w, z, spaces, alike, values }
+    }
+
+    /// a_0 along the face width at the `i`th length of roll of a space.
+    pub fn column(&self, i: usize, space: usize) -> &[f64] {
+        let k = space.min(self.spaces - 1);
+        let from = (i * self.spaces + k) * self.z.len();
+        &self.values[from..from + self.z.len()]
+    }
+
+    /// Integral over the profile of `value` at each length of roll.
+    pub fn over_profile(&self, value: impl Fn(usize) -> f64 + Sync + Send) -> f64 {
+        let at: Vec<f64> = (0..self.w.len()).into_par_iter().map(value).collect();
+        weights(&self.w).iter().zip(at).map(|(weight, value)| weight * value).sum()
+    }
+}

@@ -1,0 +1,221 @@
+//! What each place of the worm's width removes: V'_w after some parts (`docs/mathematics/grinding-technology.md#wear-of-the-worm`).
+
+use super::cycle::OnWorm;
+use super::{Cycle, STATIONS};
+use foundation::geometry::{Flank, Sides};
+use rayon::prelude::*;
+
+/// Resolution of the removed section over the worm's width, mm: a part of the bins, which are 1 mm wide.
+const STEP: f64 = 1.0 / 32.0;
+/// Slices of the height of the stock.
+const SLICES: usize = 48;
+/// Share of the largest below which a bin is empty: sums of differences leave this much.
+const ROUNDING: f64 = 1e-9;
+
+/// V'_w in bins [m, m + 1) mm of the worm's width.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WearMap {
+    /// m of the first bin.
+    pub first_bin: i64,
+    /// [station][bin], mm^3/mm.
+    pub removed: Vec<Vec<f64>>,
+}
+
+impl WearMap {
+    /// Without the bins at both ends in which no station has a value.
+    fn trimmed(mut self) -> Self {
+        let least = ROUNDING * self.largest();
+        let any = |bin: &usize| self.removed.iter().any(|row| row[*bin] > least);
+        let bins = self.removed.first().map_or(0, Vec::len);
+        let (first, last) = ((0..bins).find(any), (0..bins).rev().find(any));
+        if let (Some(first), Some(last)) = (first, last) {
+            self.first_bin += first as i64;
+            self.removed.iter_mut().for_each(|row| *row = row[first..=last].to_vec());
+        }
+        self
+    }
+
+    /// The largest.
+    pub fn largest(&self) -> f64 {
+        self.removed.iter().flatten().copied().fold(0.0, f64::max)
+    }
+}
+
+/// Removed section over the worm's width, accumulated from its lower end; of the first part.
+#[derive(Clone, Debug)]
+struct Spread {
+    from: f64,
+    /// At from + k STEP, mm^2 over all spaces' mean.
+    accumulated: Vec<f64>,
+    step_per_part: f64,
+}
+
+/// A histogram of which second differences are collected.
+struct Collected {
+    from: f64,
+    bends: Vec<f64>,
+}
+
+impl Collected {
+    fn over([from, to]: [f64; 2]) -> Self {
+        let from = (from / STEP).floor() * STEP - 2.0 * STEP;
+        let cells = ((to - from) / STEP).ceil() as usize + 4;
+        Self { from, bends: vec![0.0; cells + 1] }
+    }
+
+    /// An amount spread over the sum of two intervals that begin at `at`: evenly over each.
+    fn add(&mut self, at: f64, widths: [f64; 2], amount: f64) {
+        let mut from = at;
+        let [p, q] = widths.map(|width| {
+            from += width.min(0.0);
+            let held = width.abs().max(STEP);
+            from -= 0.5 * (held - width.abs());
+            held
+        });
+        let height = amount / (p * q);
+        for (place, by) in [(from, height), (from + p, -height), (from + q, -height), (from + p + q, height)]
+        {
+            let cell = ((place - self.from) / STEP).max(0.0);
+            let k = (cell.floor() as usize).min(self.bends.len() - 2);
+            let share = cell - k as f64;
+            self.bends[k] += by * (1.0 - share);
+            self.bends[k + 1] += by * share;
+        }
+    }
+
+    fn accumulated(self) -> Vec<f64> {
+        let (mut slope, mut density, mut sum) = (0.0, 0.0, 0.0);
+        let mut next = |bend: f64| {
+            // The slope from here on is what has bent so far.
+            let at = sum;
+            slope += bend;
+            let then = density + slope * STEP;
+            sum += 0.5 * STEP * (density + then);
+            density = then;
+            at
+        };
+        self.bends.into_iter().map(&mut next).collect()
+    }
+}
+
+impl Spread {
+    fn below(&self, z_1: f64) -> f64 {
+        let last = self.accumulated.len() - 1;
+        let cell = ((z_1 - self.from) / STEP).clamp(0.0, last as f64);
+        let k = (cell.floor() as usize).min(last - 1);
+        let share = cell - k as f64;
+        self.accumulated[k] * (1.0 - share) + self.accumulated[k + 1] * share
+    }
+
+    fn range(&self) -> [f64; 2] {
+        [self.from, self.from + STEP * (self.accumulated.len() - 1) as f64]
+    }
+}
+
+/// Removed sections of all strokes, ready for any number of parts.
+pub struct WearTask<'a> {
+    cycle: &'a Cycle,
+    /// [station][stroke].
+    spreads: Sides<Vec<Vec<Spread>>>,
+}
+
+impl Cycle {
+    /// The load of the worm, station by station.
+    pub fn wear(&self) -> WearTask<'_> {
+        let of_flank = |flank: Flank| -> Vec<Vec<Spread>> {
+            let of_station = |i: usize| -> Vec<Spread> {
+                (0..self.strokes.len()).filter_map(|stroke| self.spread(stroke, flank, i)).collect()
+            };
+            (0..STATIONS).into_par_iter().map(of_station).collect()
+        };
+        WearTask { cycle: self, spreads: Sides::from_fn(of_flank) }
+    }
+
+    /// S of one stroke at a station; `None` where it takes nothing.
+    fn spread(&self, stroke: usize, flank: Flank, station: usize) -> Option<Spread> {
+        let figures = &self.strokes[stroke];
+        let [low, high] = figures.flanks[flank].between;
+        let sampled = &self.stations[flank];
+        let w = sampled.w[station];
+        let curvature = self.bodies.flanks[flank].gap_curvature(w);
+        let on_worm = OnWorm::new(&self.bodies, flank, figures, w);
+        let cells = sampled.z.len() - 1;
+        let length = self.bodies.face_width / cells as f64;
+        let mut removed = Vec::new();
+        for k in 0..sampled.spaces {
+            for (i, pair) in sampled.column(station, k).windows(2).enumerate() {
+                let depth = (0.5 * (pair[0] + pair[1])).clamp(low, high) - low;
+                if depth > 0.0 {
+                    removed.push((sampled.z[i], depth));
+                }
+            }
+        }
+        let deepest = removed.iter().map(|(_, depth)| *depth).fold(0.0, f64::max);
+        let reach = |depth: f64| (2.0 * depth / curvature).sqrt();
+        if removed.is_empty() {
+            return None;
+        }
+        let half = 0.5 * self.bodies.face_width;
+        let corners =
+            [-half, half].into_iter().flat_map(|z| [0.0, reach(deepest)].map(|d| on_worm.place(z, d)));
+        let mut collected = Collected::over(foundation::numerics::extremes(corners));
+        let slices = if cells == 1 { SLICES } else { SLICES / 6 };
+        for (z, depth) in removed {
+            let far = reach(depth);
+            for slice in 0..slices {
+                let ends = [slice, slice + 1].map(|n| far * n as f64 / slices as f64);
+                let amount = 0.5 * curvature * (ends[1] * ends[1] - ends[0] * ends[0]) * length
+                    / sampled.spaces as f64;
+                let widths = [on_worm.by_z * length, on_worm.by_distance * (ends[1] - ends[0])];
+                collected.add(on_worm.place(z, ends[0]), widths, amount);
+            }
+        }
+        Some(Spread {
+            from: collected.from,
+            accumulated: collected.accumulated(),
+            step_per_part: figures.stroke.shift.step_per_part,
+        })
+    }
+}
+
+impl WearTask<'_> {
+    /// V'_w after some parts since dressing.
+    pub fn after(&self, parts: usize) -> Sides<WearMap> {
+        Sides::from_fn(|flank| {
+            let all = || self.spreads[flank].iter().flatten();
+            // The worm runs on: a step takes its place on the worm back.
+            let reaches = all().flat_map(|spread| {
+                let [from, to] = spread.range();
+                let back = spread.step_per_part * parts.saturating_sub(1) as f64;
+                [from - back.max(0.0), to - back.min(0.0)]
+            });
+            let mut bins: Option<[i64; 2]> = None;
+            for z_1 in reaches {
+                let bin = z_1.floor() as i64;
+                bins = Some(bins.map_or([bin; 2], |[low, high]| [low.min(bin), high.max(bin)]));
+            }
+            let Some([low, high]) = bins else { return WearMap { first_bin: 0, removed: Vec::new() } };
+            let stations = self.cycle.bodies.flanks[flank].stations();
+            let row = |(spreads, w): (&Vec<Spread>, f64)| -> Vec<f64> {
+                let factor = self.cycle.bodies.flanks[flank].wear_factor(w);
+                let below = |edge: i64| -> f64 {
+                    let of_spread = |spread: &Spread| {
+                        let place = |part: usize| edge as f64 + spread.step_per_part * part as f64;
+                        (0..parts).map(|part| spread.below(place(part))).sum::<f64>()
+                    };
+                    spreads.iter().map(of_spread).sum()
+                };
+                let edges: Vec<f64> = (low..=high + 1).map(below).collect();
+                edges.windows(2).map(|ends| factor * (ends[1] - ends[0]).max(0.0)).collect()
+            };
+            let removed: Vec<Vec<f64>> = self.spreads[flank].iter().zip(stations).map(row).collect();
+            WearMap { first_bin: low, removed }.trimmed()
+        })
+    }
+
+    /// The largest V'_w on either flank after some parts, mm^3/mm.
+    pub fn largest_after(&self, parts: usize) -> f64 {
+        let maps = self.after(parts);
+        maps.left.largest().max(maps.right.largest())
+    }
+}
