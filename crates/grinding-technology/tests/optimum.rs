@@ -34,17 +34,14 @@ fn task(ratio: f64) -> OptimumTask {
     }
 }
 
-/// Time of a part for a number of roughing strokes, a depth of finishing and both feeds, worked out as a cycle on its stock; infinite beyond a
-/// limit. Another way than the search's own figures.
-fn tried(task: &OptimumTask, bodies: &Bodies, roughing: u32, [finishing, rough, fine]: [f64; 3]) -> f64 {
-    let outside = |value: f64, [least, most]: [f64; 2]| value < least || value > most;
-    let feeds = [task.least_feed, task.largest_feed];
-    if outside(finishing, [task.least_finishing, task.most_finishing])
-        || outside(rough, feeds)
-        || outside(fine, feeds)
-    {
-        return f64::INFINITY;
-    }
+/// A cycle of some roughing strokes and one finishing stroke on its stock.
+fn cycle(
+    task: &OptimumTask,
+    bodies: &Bodies,
+    roughing: u32,
+    finishing: f64,
+    [rough, fine]: [f64; 2],
+) -> Cycle {
     let stroke = |left: f64, feed: f64, ratio: f64, zone: &str| Stroke {
         left: Sides::both(left),
         feed_per_revolution: feed,
@@ -61,59 +58,40 @@ fn tried(task: &OptimumTask, bodies: &Bodies, roughing: u32, [finishing, rough, 
         .collect();
     strokes.push(stroke(0.0, fine, task.ratio_finishing, "finishing"));
     let stock = StockField::new(Stock::constant(Sides::both(task.stock)), bodies).unwrap();
-    let cycle = Cycle::new(bodies.clone(), stock, strokes).unwrap();
-    let largest = |figure: fn(&FlankStroke) -> f64, k: usize| {
-        let flanks = &cycle.strokes[k].flanks;
-        f64::max(figure(&flanks.left), figure(&flanks.right))
-    };
-    let rate = |f: &FlankStroke| f.rate_bound.into_iter().fold(0.0, f64::max);
-    let mark = |f: &FlankStroke| f.feed_mark.into_iter().fold(0.0, f64::max);
-    let last = cycle.strokes.len() - 1;
-    if largest(rate, 0) > task.rate_roughing
-        || largest(rate, last) > task.rate_finishing
-        || largest(mark, last) > task.feed_mark
-    {
-        return f64::INFINITY;
-    }
-    let strokes: f64 = cycle.times(&axes(), task.clearance).unwrap().iter().map(|time| time.total).sum();
-    let parts = cycle.level(&task.zones).parts;
-    task.auxiliary + strokes + task.between_strokes * f64::from(roughing) + task.dressing / parts
+    Cycle::new(bodies.clone(), stock, strokes).unwrap()
 }
 
-/// The best of a coarse grid, then of steps along each variable that are halved where none helps.
+/// Time of a part.
+fn time(task: &OptimumTask, cycle: &Cycle) -> f64 {
+    let strokes: f64 = cycle.times(&axes(), task.clearance).unwrap().iter().map(|time| time.total).sum();
+    let between = task.between_strokes * (cycle.strokes.len() - 1) as f64;
+    task.auxiliary + strokes + between + task.dressing / cycle.level(&task.zones).parts
+}
+
+/// Depths of finishing one by one, each with feeds at shares of what the limits allow: rates go with the feed, marks with its square. Every
+/// cycle is worked out by itself, another way than the search's own figures.
 fn by_trying(task: &OptimumTask, bodies: &Bodies) -> f64 {
+    const DEPTHS: u32 = 200;
     let mut best = f64::INFINITY;
     for roughing in 1..=2 {
-        let mut at = ([0.01, 0.02, 0.02], f64::INFINITY);
-        for depth in [0.012, 0.024, 0.05] {
-            for rough in [0.05, 0.1, 0.2, 0.4] {
-                for fine in [0.3, 0.6, 1.0] {
-                    let time = tried(task, bodies, roughing, [depth, rough, fine]);
-                    if time < at.1 {
-                        at = ([depth, rough, fine], time);
-                    }
-                }
+        for k in 0..=DEPTHS {
+            let span = task.most_finishing - task.least_finishing;
+            let finishing = task.least_finishing + span * f64::from(k) / f64::from(DEPTHS);
+            let of_one = cycle(task, bodies, roughing, finishing, [1.0, 1.0]);
+            let largest = |k: usize, figure: fn(&FlankStroke) -> [f64; 9]| {
+                let flanks = &of_one.strokes[k].flanks;
+                figure(&flanks.left).into_iter().chain(figure(&flanks.right)).fold(0.0, f64::max)
+            };
+            let last = of_one.strokes.len() - 1;
+            let rough = task.rate_roughing / largest(0, |f| f.rate_bound);
+            let fine = (task.rate_finishing / largest(last, |f| f.rate_bound))
+                .min((task.feed_mark / largest(last, |f| f.feed_mark)).sqrt());
+            for shares in [[1.0, 1.0], [0.9, 1.0], [1.0, 0.9]] {
+                let feeds =
+                    [shares[0] * rough.min(task.largest_feed), shares[1] * fine.min(task.largest_feed)];
+                best = best.min(time(task, &cycle(task, bodies, roughing, finishing, feeds)));
             }
         }
-        // Depth and feeds are bound to each other by the limits: steps along one, and along two at a time.
-        let mut share = 0.3;
-        while share > 2e-4 {
-            let mut better = at;
-            for j in 0..27_u32 {
-                let factor = |k: u32| 1.0 + share * (f64::from(j / 3_u32.pow(k) % 3) - 1.0);
-                let next: [f64; 3] = std::array::from_fn(|k| at.0[k] * factor(k as u32));
-                let time = tried(task, bodies, roughing, next);
-                if time < better.1 {
-                    better = (next, time);
-                }
-            }
-            if better.1 < at.1 {
-                at = better;
-            } else {
-                share *= 0.5;
-            }
-        }
-        best = best.min(at.1);
     }
     best
 }
