@@ -93,6 +93,7 @@ const CRATES: [(&str, &[&str]); 35] = [
             "electronic-gearbox",
             "foundation",
             "generating",
+            "grinding-technology",
             "job",
             "machine",
             "metrology",

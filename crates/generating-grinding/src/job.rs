@@ -19,9 +19,11 @@ pub mod inspection;
 pub mod measured_gear;
 mod settings;
 mod steps;
+mod stock;
 mod stroke_study;
 mod strokes;
 mod target;
+mod technology;
 mod worm;
 
 pub use catalogue::{CatalogueSource, FreeQuantity, FreeWorm};
@@ -42,9 +44,11 @@ pub use inspection::{Band, CorrectionLimits, CorrectionSetting, Inspection};
 pub use measured_gear::{DressingDeviation, SimulatedMeasurement};
 pub use settings::{FlankSettings, Pieces, Settings, StrokeSettings, StrokeTables, ToolTable, ToolTables};
 pub use steps::Steps;
+pub use stock::{RunOut, Stock, StockPlace};
 pub use stroke_study::{AxisDeviations, Distribution, DresserArea, StrokeSection, StrokeStudy};
 pub use strokes::{DressedSection, StrokeArea, Strokes};
 pub use target::{Fit, Judged, JudgedTraces, Target, ToleranceMapSource, ToleranceTable};
+pub use technology::{CostRates, PartTimes, Technology, TechnologyLimits, WormLife};
 pub use worm::{Tool, Worm};
 
 use job::tables::{Control, Gear, Grid, Hand, JobInfo, Machine, OneOrSides, Output};
@@ -89,6 +93,12 @@ pub struct Job {
     pub dressing: Dressing,
     /// How the gear is ground.
     pub grinding: Grinding,
+    /// What stands on the flanks before grinding; with it a plan says what each stroke takes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stock: Option<Stock>,
+    /// What the shop allows, and what a part takes and costs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub technology: Option<Technology>,
     /// The machine; without one the default limits hold.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub machine: Option<Machine>,

@@ -71,7 +71,7 @@ fn time(task: &OptimumTask, cycle: &Cycle) -> f64 {
 /// Depths of finishing one by one, each with feeds at shares of what the limits allow: rates go with the feed, marks with its square. Every
 /// cycle is worked out by itself, another way than the search's own figures.
 fn by_trying(task: &OptimumTask, bodies: &Bodies) -> f64 {
-    const DEPTHS: u32 = 200;
+    const DEPTHS: u32 = 120;
     let mut best = f64::INFINITY;
     for roughing in 1..=2 {
         for k in 0..=DEPTHS {

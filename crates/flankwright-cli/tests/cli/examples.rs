@@ -11,6 +11,7 @@ const PLANS: &[(&str, i32)] = &[
     ("beveloid-cylindrical-worm.toml", 0),
     ("catalogue.toml", 0),
     ("clamping.toml", 0),
+    ("grinding-cycle.toml", 0),
     ("control/with-real-control.toml", 0),
     ("dressing/conical-worm.toml", 0),
     ("dressing/strokes.toml", 0),

@@ -7,6 +7,7 @@ mod grinding;
 mod profile_parts;
 mod stroke_study;
 mod strokes;
+mod technology;
 mod tool;
 
 use super::Job;
@@ -27,6 +28,7 @@ pub(crate) fn check(job: &Job) -> Vec<Diagnostic> {
     strokes::check(job, &mut findings);
     grinding::check(job, &mut findings);
     explore::check(job, &mut findings);
+    technology::check(job, &mut findings);
     control_of_job(job.control.as_ref(), job.grinding.feed_per_revolution, &mut findings);
     clamping_bodies(job.machine.as_ref().map_or(&[], |machine| &machine.clamping), &mut findings);
     settings(job, &mut findings);

@@ -38,6 +38,7 @@ impl GrindingPage<'_> {
             Section::new("dressing-corrections", "Dressing corrections", dressing),
             Section::new("room-for-the-dresser", "Room for the dresser", self.room()?),
             Section::new("gearbox-and-servo", "Gearbox and servo", self.control.clone()),
+            Section::new("stock-strokes-and-cost", "Stock, strokes and cost", self.removal.clone()),
             Section::new("nc-programs", "NC programs", self.programs.clone()),
             Section::new(VERIFICATION, "How it was verified", self.verification.clone()),
             Section::new(

@@ -48,6 +48,8 @@ pub struct GrindingPage<'a> {
     pub strokes: Sides<&'a [ExecutedStroke]>,
     /// What gearbox and servo leave, where the job describes its control.
     pub control: Vec<Block>,
+    /// What strokes take of the stock, where the job gives one.
+    pub removal: Vec<Block>,
     /// NC programs, where the job names a machine.
     pub programs: Vec<Block>,
     /// What to know, with a way out.

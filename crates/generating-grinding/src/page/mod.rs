@@ -8,6 +8,7 @@ mod motions;
 mod programs;
 mod quantities;
 mod ratio;
+mod removal;
 mod strokes;
 mod summary;
 mod target_amounts;
@@ -86,6 +87,7 @@ pub fn html_page(outcome: &Outcome, files: &[(String, &'static str)]) -> Result<
                 Some([f.w_mm.clone(), f.z_mm.clone()])
             })?,
         },
+        removal: result.removal.as_ref().map_or(Ok(Vec::new()), removal::removal)?,
         programs: outcome.programs.as_ref().map_or(Ok(Vec::new()), programs_blocks)?,
         warnings: &result.warnings,
         verification: verification(outcome),

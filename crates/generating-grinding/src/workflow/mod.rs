@@ -25,6 +25,7 @@ mod preview;
 pub mod programs;
 pub mod referee;
 pub mod refusal;
+pub mod removal;
 pub mod result;
 pub mod run;
 pub mod scene;

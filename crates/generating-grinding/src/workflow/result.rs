@@ -4,6 +4,7 @@ use super::drawn_values::TraceResult;
 use super::gear_root::GearRootResult;
 use super::line_dressing::LineDressingResult;
 use super::partition::Partition;
+use super::removal::RemovalResult;
 use super::stroke_plan::StrokePlan;
 use crate::job::Settings;
 use crate::workflow::control::result::ControlResult;
@@ -235,6 +236,9 @@ pub struct JobResult {
     /// What gearbox and servo leave; absent unless the job describes its control.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub control: Option<ControlResult>,
+    /// Stock, removal, load of the worm, time and cost; absent without stock.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub removal: Option<RemovalResult>,
     /// NC programs with their proof; absent without a machine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub programs: Option<ProgramsResult>,

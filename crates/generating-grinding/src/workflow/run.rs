@@ -14,6 +14,7 @@ use super::partition::Partition;
 use super::prepare::{GivenSettings, Prepared, prepare};
 use super::referee::{self, Cutting};
 use super::refusal::{of_planning, of_simulation};
+use super::removal::removal_of_run;
 use super::result::{CandidateResult, FlankResult, JobResult, LeastDeviationResult, SettingsResult};
 use super::tip_edge::{judge_tip_edge, tip_edge_depths};
 use super::tip_land::TipLands;
@@ -149,6 +150,11 @@ fn finish(
         timing.insert("programs", programs.seconds[0]);
         timing.insert("proof of the programs", programs.seconds[1]);
     }
+    let removal = removal_of_run(
+        &prepared,
+        &execution,
+        (partition.as_ref(), programs.as_ref().map(|programs| &programs.result)),
+    )?;
     let mut warnings = prepared.warnings.clone();
     warnings.extend(execution.warnings.iter().cloned());
     warnings.extend(tip_lands.warnings.iter().cloned());
@@ -191,6 +197,7 @@ fn finish(
     }
     warnings.extend(feed_mark_warnings(&verdicts, tolerance));
     warnings.extend(alarms.unwrap_or_default());
+    warnings.extend(removal.remarks);
     warnings.extend(line_dressing_warnings(&written, prepared.setup.worm_root_radius));
     warnings.extend(plan.as_ref().and_then(given_ratio_warning));
     warnings.extend(plan.as_ref().and_then(|_| equal_ratio_remark(&prepared.setup, &prepared.targets)));
@@ -260,6 +267,7 @@ fn finish(
         least_deviation,
         gear_root,
         control,
+        removal: removal.result,
         programs: programs.as_ref().map(|programs| programs.result.clone()),
         ideal_error_by_round_um: plan.as_ref().map_or(Sides { left: Vec::new(), right: Vec::new() }, |p| {
             p.ideal_error_by_round.map(|_, e| e.iter().map(|e| e * 1e3).collect())

@@ -97,6 +97,7 @@ fn common(outcome: &TangentialOutcome, files: &[(String, &'static str)]) -> Resu
                 Some([f.w_mm.clone(), f.z_mm.clone()])
             })?,
         },
+        removal: Vec::new(),
         programs: outcome.programs.as_ref().map_or(Ok(Vec::new()), programs_blocks)?,
         warnings: &result.warnings,
         verification: verification(outcome),

@@ -7,6 +7,7 @@ mod cycle;
 mod dressing;
 mod judged;
 mod planning;
+mod removal;
 mod settings;
 mod shift;
 mod strokes;
@@ -19,6 +20,7 @@ pub use dressing::{DressingTask, PointDresser};
 pub use judged::TracePlaces;
 use judged::tolerance_over_flank;
 pub use planning::{PlanningRules, axis_limits};
+pub use removal::{RemovalTask, ShopLimit};
 pub use settings::GivenSettings;
 pub use targets::{tolerance_of_job, wanted_flanks};
 
@@ -71,6 +73,8 @@ pub struct Prepared {
     pub dressing: DressingTask,
     /// Speeds, clamping and passes.
     pub technology: Technology,
+    /// Stock and what the shop allows; `None` for a job without stock.
+    pub removal: Option<RemovalTask>,
     /// Whether the job names a machine.
     pub names_machine: bool,
     /// The machine whose programs are wanted, once [`Prepared::on_machine`] has read it.
@@ -138,6 +142,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
             }
             None => technology,
         },
+        removal: RemovalTask::of_job(job, &setup)?,
         setup,
         targets,
         drawn: job.target.modifications.clone().unwrap_or_default(),

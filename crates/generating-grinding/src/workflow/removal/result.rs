@@ -1,0 +1,167 @@
+//! What `result.json` says of stock, removal, worm, time and cost.
+
+use foundation::geometry::Sides;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Stock, strokes, load of the worm, time and cost of a run.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct RemovalResult {
+    /// Before the first stroke.
+    pub stock: StockResult,
+    /// In driving order.
+    pub strokes: Vec<StrokeResult>,
+    /// The worm's load; absent without `technology.limits.Vw_finishing`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub worm_load: Option<WormLoadResult>,
+    /// The worm over its life; absent without `technology.life`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub worm_life: Option<WormLifeResult>,
+    /// Time of a part; absent without programs or without `technology.times`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub part_time: Option<PartTimeResult>,
+    /// Cost of a part in the shop's currency; absent without its time or without `technology.cost`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cost_per_part: Option<CostResult>,
+    /// Figures over the shop's limits. A share above 1 says harder than what the shop calls safe, no more.
+    pub indicators: Vec<IndicatorResult>,
+}
+
+/// Stock of all tooth spaces.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct StockResult {
+    /// All of it.
+    pub volume_mm3: f64,
+    /// Largest on each flank, normal.
+    pub largest_um: Sides<f64>,
+    /// Least on each flank, normal; 0 or less where material is missing.
+    pub least_um: Sides<f64>,
+}
+
+/// One stroke.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct StrokeResult {
+    /// "roughing" or "finishing".
+    pub stage: &'static str,
+    /// Stock that it leaves, normal.
+    pub left_um: f64,
+    /// Diagonal ratio.
+    pub diagonal_ratio: f64,
+    /// Added to the centre distance.
+    pub infeed_um: f64,
+    /// Worm.
+    pub worm_speed_rpm: f64,
+    /// Workpiece.
+    pub work_speed_rpm: f64,
+    /// Axial feed.
+    pub feed_mm_per_s: f64,
+    /// "climb" or "conventional".
+    pub sense: &'static str,
+    /// Feed z_V2 of the first and of the last contact.
+    pub contact_mm: [f64; 2],
+    /// Way before the contact lines on which stock is ground already.
+    pub approach_mm: f64,
+    /// Way from the first to the last contact with the overrun at both ends.
+    pub travel_mm: f64,
+    /// What it takes.
+    pub volume_mm3: f64,
+    /// Largest removal rate.
+    pub largest_rate_mm3_per_s: f64,
+    /// Place on the worm for the first part.
+    pub worm_mm: [f64; 2],
+    /// Times from the first contact on.
+    pub time_s: Vec<f64>,
+    /// Removal rate at these times.
+    pub rate_mm3_per_s: Vec<f64>,
+    /// Each flank.
+    pub flanks: Sides<FlankRemovalResult>,
+}
+
+/// One flank under a stroke: the largest over the profile.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct FlankRemovalResult {
+    /// Largest depth of cut, normal.
+    pub depth_um: f64,
+    /// Length of the contact on the tooth.
+    pub contact_length_mm: f64,
+    /// Area of the contact.
+    pub contact_area_mm2: f64,
+    /// Q'_w.
+    pub specific_rate_mm3_per_mm_s: f64,
+    /// Equivalent chip thickness.
+    pub chip_thickness_um: f64,
+    /// What one thread takes in one passage.
+    pub passage_um: f64,
+}
+
+/// What the worm removes between two dressings.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct WormLoadResult {
+    /// Parts between two dressings if the width were used at its best.
+    pub parts_by_load: f64,
+    /// Parts that the width has room for at this jump from part to part; absent without one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub parts_by_width: Option<usize>,
+    /// Parts at the job's jump from part to part before a place of the worm has removed more than is allowed.
+    pub parts_per_dressing: usize,
+    /// First place on the worm.
+    pub from_mm: f64,
+    /// V'_w of so many parts for each millimetre of the worm's width, the largest over the profile.
+    pub removed_mm3_per_mm: Sides<Vec<f64>>,
+}
+
+/// One worm from its first to its last diameter.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct WormLifeResult {
+    /// States between two dressings.
+    pub dressings: usize,
+    /// Parts in all.
+    pub parts_per_worm: f64,
+    /// Crossed-axes angle of the new and of the last worm.
+    pub crossed_axes_angle_deg: [f64; 2],
+    /// Speed of the new and of the last worm for the same cutting speed.
+    pub worm_speed_rpm: [f64; 2],
+}
+
+/// Time of a part; those of grinding and dressing are the programs' own.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct PartTimeResult {
+    /// All grinding programs.
+    pub grinding_s: f64,
+    /// All dressing programs.
+    pub dressing_s: f64,
+    /// Share of dressing in a part.
+    pub dressing_per_part_s: f64,
+    /// Loading, indexing and whatever else there is.
+    pub auxiliary_s: f64,
+    /// All of it.
+    pub part_s: f64,
+}
+
+/// Cost of a part.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct CostResult {
+    /// Machine with its operator.
+    pub machine: f64,
+    /// Worm.
+    pub worm: f64,
+    /// Dresser.
+    pub dresser: f64,
+    /// Changing the worm.
+    pub change: f64,
+    /// All of it.
+    pub total: f64,
+}
+
+/// A figure and the shop's limit for it.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct IndicatorResult {
+    /// Key of the limit.
+    pub limit: &'static str,
+    /// The largest figure.
+    pub value: f64,
+    /// The limit.
+    pub allowed: f64,
+    /// Figure over limit.
+    pub share: f64,
+}
