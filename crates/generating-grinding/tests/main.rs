@@ -12,6 +12,7 @@ mod page;
 mod plan;
 mod plan_bodies;
 mod program_areas;
+mod removal;
 mod stroke_plans;
 mod targets;
 mod truck_gear;
