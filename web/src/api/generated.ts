@@ -1682,6 +1682,34 @@ export interface components {
       /** @description Settings that are turned. */
       settings: components["schemas"]["CorrectedSettingResult"][];
     };
+    /** @description Cost of a part. */
+    CostResult: {
+      /**
+       * Format: double
+       * @description Changing the worm.
+       */
+      change: number;
+      /**
+       * Format: double
+       * @description Dresser.
+       */
+      dresser: number;
+      /**
+       * Format: double
+       * @description Machine with its operator.
+       */
+      machine: number;
+      /**
+       * Format: double
+       * @description All of it.
+       */
+      total: number;
+      /**
+       * Format: double
+       * @description Worm.
+       */
+      worm: number;
+    };
     /** @description The coupling of the workpiece to the slide. */
     CouplingResult: {
       /**
@@ -2375,6 +2403,39 @@ export interface components {
        */
       max_deviation_um: number;
     };
+    /** @description One flank under a stroke: the largest over the profile. */
+    FlankRemovalResult: {
+      /**
+       * Format: double
+       * @description Equivalent chip thickness.
+       */
+      chip_thickness_um: number;
+      /**
+       * Format: double
+       * @description Area of the contact.
+       */
+      contact_area_mm2: number;
+      /**
+       * Format: double
+       * @description Length of the contact on the tooth.
+       */
+      contact_length_mm: number;
+      /**
+       * Format: double
+       * @description Largest depth of cut, normal.
+       */
+      depth_um: number;
+      /**
+       * Format: double
+       * @description What one thread takes in one passage.
+       */
+      passage_um: number;
+      /**
+       * Format: double
+       * @description Q'_w.
+       */
+      specific_rate_mm3_per_mm_s: number;
+    };
     /** @description Amplitude of the flank per amplitude of a torque, linear. */
     FlankResponseResult: {
       /**
@@ -2973,6 +3034,26 @@ export interface components {
       /** @description The tool. */
       tool: string;
     };
+    /** @description A figure and the shop's limit for it. */
+    IndicatorResult: {
+      /**
+       * Format: double
+       * @description The limit.
+       */
+      allowed: number;
+      /** @description Key of the limit. */
+      limit: string;
+      /**
+       * Format: double
+       * @description Figure over limit.
+       */
+      share: number;
+      /**
+       * Format: double
+       * @description The largest figure.
+       */
+      value: number;
+    };
     /** @description What the files of a measurement do not tell, and how its sheets look. */
     InspectOptions: {
       /**
@@ -3082,6 +3163,8 @@ export interface components {
       programs?: components["schemas"]["ProgramsResult"] | null;
       /** @description Why it is not met. */
       reason?: components["schemas"]["Remark"] | null;
+      /** @description Stock, removal, load of the worm, time and cost; absent without stock. */
+      removal?: components["schemas"]["RemovalResult"] | null;
       /** @description What the status covers. */
       scope: components["schemas"]["Scope"];
       /** @description Settings. */
@@ -4557,6 +4640,34 @@ export interface components {
       /** @description Name of the file. */
       source: string;
     };
+    /** @description Time of a part; those of grinding and dressing are the programs' own. */
+    PartTimeResult: {
+      /**
+       * Format: double
+       * @description Loading, indexing and whatever else there is.
+       */
+      auxiliary_s: number;
+      /**
+       * Format: double
+       * @description Share of dressing in a part.
+       */
+      dressing_per_part_s: number;
+      /**
+       * Format: double
+       * @description All dressing programs.
+       */
+      dressing_s: number;
+      /**
+       * Format: double
+       * @description All grinding programs.
+       */
+      grinding_s: number;
+      /**
+       * Format: double
+       * @description All of it.
+       */
+      part_s: number;
+    };
     /** @description The partition of the tool. */
     Partition: {
       /**
@@ -5372,6 +5483,23 @@ export interface components {
       text: string;
       /** @description What can be done about it. */
       way_out: string;
+    };
+    /** @description Stock, strokes, load of the worm, time and cost of a run. */
+    RemovalResult: {
+      /** @description Cost of a part in the shop's currency; absent without its time or without `technology.cost`. */
+      cost_per_part?: components["schemas"]["CostResult"] | null;
+      /** @description Figures over the shop's limits. A share above 1 says harder than what the shop calls safe, no more. */
+      indicators: components["schemas"]["IndicatorResult"][];
+      /** @description Time of a part; absent without programs or without `technology.times`. */
+      part_time?: components["schemas"]["PartTimeResult"] | null;
+      /** @description Before the first stroke. */
+      stock: components["schemas"]["StockResult"];
+      /** @description In driving order. */
+      strokes: components["schemas"]["StrokeResult"][];
+      /** @description The worm over its life; absent without `technology.life`. */
+      worm_life?: components["schemas"]["WormLifeResult"] | null;
+      /** @description The worm's load; absent without `technology.limits.Vw_finishing`. */
+      worm_load?: components["schemas"]["WormLoadResult"] | null;
     };
     /** @description What grinding the tool again has to take off. */
     ResharpeningResult: {
@@ -6246,6 +6374,26 @@ export interface components {
       /** @description Value of the right flank. */
       right: components["schemas"]["FilletResult"] | null;
     };
+    /** @description One value for each flank. */
+    Sides4: {
+      /**
+       * Format: double
+       * @description Value of the left flank.
+       */
+      left: number;
+      /**
+       * Format: double
+       * @description Value of the right flank.
+       */
+      right: number;
+    };
+    /** @description One value for each flank. */
+    Sides5: {
+      /** @description Value of the left flank. */
+      left: components["schemas"]["FlankRemovalResult"];
+      /** @description Value of the right flank. */
+      right: components["schemas"]["FlankRemovalResult"];
+    };
     /** @description Signs of helix slopes. */
     Signs: {
       /**
@@ -6421,6 +6569,18 @@ export interface components {
     Status: "met" | "missed" | "not_judged";
     /** @description A step on the way to an entry. */
     Step: string | number;
+    /** @description Stock of all tooth spaces. */
+    StockResult: {
+      /** @description Largest on each flank, normal. */
+      largest_um: components["schemas"]["Sides4"];
+      /** @description Least on each flank, normal; 0 or less where material is missing. */
+      least_um: components["schemas"]["Sides4"];
+      /**
+       * Format: double
+       * @description All of it.
+       */
+      volume_mm3: number;
+    };
     /** @description A profile dressed in strokes. */
     StrokeCurve: {
       /** @description What tells the bodies from the others; empty where nothing is compared. */
@@ -6499,6 +6659,73 @@ export interface components {
        * @description Strokes of one pass.
        */
       strokes_per_pass: number;
+    };
+    /** @description One stroke. */
+    StrokeResult: {
+      /**
+       * Format: double
+       * @description Way before the contact lines on which stock is ground already.
+       */
+      approach_mm: number;
+      /** @description Feed z_V2 of the first and of the last contact. */
+      contact_mm: [number, number];
+      /**
+       * Format: double
+       * @description Diagonal ratio.
+       */
+      diagonal_ratio: number;
+      /**
+       * Format: double
+       * @description Axial feed.
+       */
+      feed_mm_per_s: number;
+      /** @description Each flank. */
+      flanks: components["schemas"]["Sides5"];
+      /**
+       * Format: double
+       * @description Added to the centre distance.
+       */
+      infeed_um: number;
+      /**
+       * Format: double
+       * @description Largest removal rate.
+       */
+      largest_rate_mm3_per_s: number;
+      /**
+       * Format: double
+       * @description Stock that it leaves, normal.
+       */
+      left_um: number;
+      /** @description Removal rate at these times. */
+      rate_mm3_per_s: number[];
+      /** @description "climb" or "conventional". */
+      sense: string;
+      /** @description "roughing" or "finishing". */
+      stage: string;
+      /** @description Times from the first contact on. */
+      time_s: number[];
+      /**
+       * Format: double
+       * @description Way from the first to the last contact with the overrun at both ends.
+       */
+      travel_mm: number;
+      /**
+       * Format: double
+       * @description What it takes.
+       */
+      volume_mm3: number;
+      /**
+       * Format: double
+       * @description Workpiece.
+       */
+      work_speed_rpm: number;
+      /** @description Place on the worm for the first part. */
+      worm_mm: [number, number];
+      /**
+       * Format: double
+       * @description Worm.
+       */
+      worm_speed_rpm: number;
     };
     /**
      * @description One stroke: what of which dresser touches which part of the worm's profile, and its corrections DK(v) as Chebyshev series of the
@@ -7156,6 +7383,48 @@ export interface components {
        * @description Usable width along the axis.
        */
       width: number;
+    };
+    /** @description One worm from its first to its last diameter. */
+    WormLifeResult: {
+      /** @description Crossed-axes angle of the new and of the last worm. */
+      crossed_axes_angle_deg: [number, number];
+      /**
+       * Format: uint
+       * @description States between two dressings.
+       */
+      dressings: number;
+      /**
+       * Format: double
+       * @description Parts in all.
+       */
+      parts_per_worm: number;
+      /** @description Speed of the new and of the last worm for the same cutting speed. */
+      worm_speed_rpm: [number, number];
+    };
+    /** @description What the worm removes between two dressings. */
+    WormLoadResult: {
+      /**
+       * Format: double
+       * @description First place on the worm.
+       */
+      from_mm: number;
+      /**
+       * Format: double
+       * @description Parts between two dressings if the width were used at its best.
+       */
+      parts_by_load: number;
+      /**
+       * Format: uint
+       * @description Parts that the width has room for at this jump from part to part; absent without one.
+       */
+      parts_by_width?: number | null;
+      /**
+       * Format: uint
+       * @description Parts at the job's jump from part to part before a place of the worm has removed more than is allowed.
+       */
+      parts_per_dressing: number;
+      /** @description V'_w of so many parts for each millimetre of the worm's width, the largest over the profile. */
+      removed_mm3_per_mm: components["schemas"]["Sides2"];
     };
     /** @description The dresser on one worm. */
     WormPoint: {
