@@ -37,7 +37,7 @@ fn a_cycle_is_told_from_stock_to_cost() {
     let taken: f64 = removal.strokes.iter().map(|stroke| stroke.volume_mm3).sum();
     assert!((taken / removal.stock.volume_mm3 - 1.0).abs() < 1e-6, "the last stroke leaves nothing");
     let stages: Vec<&str> = removal.strokes.iter().map(|stroke| stroke.stage).collect();
-    assert_eq!(stages, ["roughing", "finishing", "finishing"]);
+    assert_eq!(stages, ["roughing", "finishing", "spark-out"]);
     assert_eq!(removal.strokes[2].volume_mm3, 0.0, "spark-out takes nothing");
     // The time of a part is that of its programs.
     let programs = &outcome.result.programs.as_ref().unwrap().programs;

@@ -31,7 +31,7 @@ pub(super) fn removal(result: &RemovalResult) -> Result<Vec<Block>, ChartError> 
             title: "Load of the worm".to_owned(),
             x_title: "Place on the worm z_1 [mm]".to_owned(),
             panels: vec![Panel {
-                y_title: "V'_w [mm³/mm]".to_owned(),
+                y_title: "Removed volume [mm³/mm]".to_owned(),
                 least_span: 0.0,
                 scale: YScale::Linear,
                 series: vec![series("left", &removed.left), series("right", &removed.right)],

@@ -228,7 +228,11 @@ fn stroke_result(figures: &grinding_technology::StrokeFigures, [time, rate]: [Ve
     let most = |list: &[f64]| list.iter().copied().fold(0.0, f64::max);
     let left = figures.stroke.left.left;
     StrokeResult {
-        stage: if left > 0.0 { "roughing" } else { "finishing" },
+        stage: match (left > 0.0, figures.volume > 0.0) {
+            (true, _) => "roughing",
+            (false, true) => "finishing",
+            (false, false) => "spark-out",
+        },
         left_um: UM * left,
         diagonal_ratio: figures.stroke.shift.ratio,
         infeed_um: UM * figures.infeed.delta_d,

@@ -41,7 +41,7 @@ pub struct StockResult {
 /// One stroke.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StrokeResult {
-    /// "roughing" or "finishing".
+    /// "roughing", "finishing" or "spark-out", which takes nothing.
     pub stage: &'static str,
     /// Stock that it leaves, normal.
     pub left_um: f64,
