@@ -6700,7 +6700,7 @@ export interface components {
       rate_mm3_per_s: number[];
       /** @description "climb" or "conventional". */
       sense: string;
-      /** @description "roughing" or "finishing". */
+      /** @description "roughing", "finishing" or "spark-out", which takes nothing. */
       stage: string;
       /** @description Times from the first contact on. */
       time_s: number[];
