@@ -118,9 +118,14 @@ impl RelativeCurvature {
         Some(at.into())
     }
 
+    /// Curvature along the feed of the gap that one passage of the worm leaves, 1/mm.
+    pub fn gap_along_feed(&self) -> f64 {
+        self.h[(1, 1)] - self.h[(0, 1)].powi(2) / self.h[(0, 0)]
+    }
+
     /// Height of the feed marks at feed step `f`, mm (`docs/mathematics/planning.md#the-referee`).
     pub fn feed_mark(&self, f: f64) -> f64 {
-        f * f / 8.0 * (self.h[(1, 1)] - self.h[(0, 1)].powi(2) / self.h[(0, 0)])
+        f * f / 8.0 * self.gap_along_feed()
     }
 
     /// Height of the generating facets at roll step `dw_2`, mm.

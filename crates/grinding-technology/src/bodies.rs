@@ -4,7 +4,6 @@ use super::TechnologyError;
 use super::error::{in_range, positive};
 use contact::{ContactError, FlankPair, Pair};
 use foundation::geometry::{Flank, InvoluteFlank, Sides};
-use foundation::numerics::equidistant;
 use std::f64::consts::TAU;
 
 /// Lengths of roll at which figures along the profile are given.
@@ -127,11 +126,6 @@ impl Engagement {
         std::array::from_fn(|k| from + (to - from) * k as f64 / (STATIONS - 1) as f64)
     }
 
-    /// Lengths of roll over the profile for integrals, mm.
-    pub(crate) fn rolls(&self, points: usize) -> Vec<f64> {
-        equidistant(self.roll, points)
-    }
-
     /// J = dA/(dw dz) of the workpiece.
     pub fn area_density(&self, w: f64) -> f64 {
         let work = &self.pair.work;
@@ -160,14 +154,7 @@ impl Engagement {
 
     /// H: the worm leaves the gap H D^2/2 at the distance D ahead of the contact line, 1/mm.
     pub fn gap_curvature(&self, w: f64) -> f64 {
-        let h = self.pair.relative_curvature(self.worm_roll(w), w, 0.0).h;
-        h[(1, 1)] - h[(0, 1)].powi(2) / h[(0, 0)]
-    }
-
-    /// H of the gap across the contact line, for the facets of a hob, 1/mm.
-    pub fn facet_curvature(&self, w: f64) -> f64 {
-        let h = self.pair.relative_curvature(self.worm_roll(w), w, 0.0).h;
-        h[(0, 0)] - h[(0, 1)].powi(2) / h[(1, 1)]
+        self.pair.relative_curvature(self.worm_roll(w), w, 0.0).gap_along_feed()
     }
 
     /// chi: what is ground at the distance D ahead of the line is ground by a place of the worm chi D further along.

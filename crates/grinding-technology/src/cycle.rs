@@ -1,13 +1,13 @@
 //! Strokes on stock: infeed, engagement, feeds of first and last contact, what each takes.
 
-use super::sampled::Sampled;
+use super::sampled::{Sampled, weights};
 use super::stroke::check;
 use super::volumes::volumes;
 use super::{Bodies, Direction, Infeed, STATIONS, StockField, Stroke, TechnologyError};
 use foundation::geometry::{Flank, Sides};
 use foundation::numerics::{equidistant, extremes};
 
-/// Axial places at which the largest depth of cut is looked for.
+/// Axial places at which the least and the largest stock are looked for.
 const FACE_PLACES: usize = 41;
 /// Points of the contact area's integral.
 const AREA_POINTS: usize = 2001;
@@ -87,6 +87,8 @@ pub struct Cycle {
     pub bodies: Bodies,
     /// Before the first stroke.
     pub stock: StockField,
+    /// Least and largest stock of each flank at the stations, mm.
+    pub extent: Sides<[f64; 2]>,
     /// In driving order.
     pub strokes: Vec<StrokeFigures>,
     /// Volumes of each space: of the stock, then of each stroke; mm^3.
@@ -106,13 +108,13 @@ impl Cycle {
         let stations = Sides::from_fn(|flank| {
             Sampled::at(&stock, &bodies, flank, bodies.flanks[flank].stations().to_vec())
         });
-        let most = Sides::from_fn(|flank| greatest(&stock, &bodies, flank));
+        let extent = Sides::from_fn(|flank| extent(&stock, &bodies, flank));
         let mut before = Sides::both(f64::INFINITY);
         let figures = strokes.into_iter().map(|stroke| {
             let left = stroke.left;
             let between = Sides::from_fn(|flank| [left[flank], before[flank]]);
             before = left;
-            figures(&bodies, stroke, between, &most)
+            figures(&bodies, stroke, between, &extent)
         });
         let mut strokes: Vec<StrokeFigures> = figures.collect();
         let volumes = Sides::from_fn(|flank| {
@@ -123,7 +125,7 @@ impl Cycle {
         for (k, figures) in strokes.iter_mut().enumerate() {
             figures.volume = whole_part(&stock, &volumes, k + 1);
         }
-        Ok(Self { bodies, stock, strokes, volumes, whole, stations })
+        Ok(Self { bodies, stock, extent, strokes, volumes, whole, stations })
     }
 
     /// Volume of the stock of all spaces, mm^3.
@@ -156,23 +158,31 @@ fn whole_part(stock: &StockField, volumes: &Sides<Vec<Vec<f64>>>, band: usize) -
     of_flank(Flank::Left) + of_flank(Flank::Right)
 }
 
-/// Largest stock at the stations.
-fn greatest(stock: &StockField, bodies: &Bodies, flank: Flank) -> f64 {
+/// Least and largest stock at the stations.
+fn extent(stock: &StockField, bodies: &Bodies, flank: Flank) -> [f64; 2] {
     let half = 0.5 * bodies.face_width;
     let places = equidistant([-half, half], FACE_PLACES);
     let spaces = if stock.is_alike() { 1 } else { stock.spaces() };
-    let at_station = |w: f64| {
-        let of_space = |k: usize| places.iter().map(move |&z| stock.at(flank, w, z, k));
-        (0..spaces).flat_map(of_space).fold(f64::NEG_INFINITY, f64::max)
+    let own: Vec<_> = (0..spaces).map(|k| stock.of_space(flank, k)).collect();
+    let of_place = |(w, z): (f64, f64)| {
+        let place = stock.of_place(flank, w, z);
+        own.iter().map(move |own| own.on(place))
     };
-    bodies.flanks[flank].stations().into_iter().map(at_station).fold(f64::NEG_INFINITY, f64::max)
+    let at_station = |w: f64| places.iter().map(move |&z| (w, z));
+    extremes(bodies.flanks[flank].stations().into_iter().flat_map(at_station).flat_map(of_place))
 }
 
-fn figures(bodies: &Bodies, stroke: Stroke, between: Sides<[f64; 2]>, most: &Sides<f64>) -> StrokeFigures {
+fn figures(
+    bodies: &Bodies,
+    stroke: Stroke,
+    between: Sides<[f64; 2]>,
+    extent: &Sides<[f64; 2]>,
+) -> StrokeFigures {
     let infeed = Infeed::new(bodies, stroke.left);
     let speeds = bodies.speeds(stroke.cutting_speed);
-    let flanks =
-        Sides::from_fn(|flank| flank_figures(bodies, flank, &stroke, between[flank], most[flank], infeed));
+    let flanks = Sides::from_fn(|flank| {
+        flank_figures(bodies, flank, &stroke, between[flank], extent[flank][1], infeed)
+    });
     let sigma = stroke.direction.sign();
     let contact = contact_feeds(bodies, stroke.direction, &flanks.map(|_, f| (f.raised[1], f.distance)));
     let approach = flanks.iter().flat_map(|(_, f)| f.distance).fold(0.0, f64::max);
@@ -226,13 +236,13 @@ fn flank_figures(
     let stations = engagement.stations();
     let deepest = (most.min(between[1]) - between[0]).max(0.0);
     let curvature = stations.map(|w| engagement.gap_curvature(w));
-    let reach = |w: f64| (2.0 * deepest / engagement.gap_curvature(w)).sqrt();
-    let distance = stations.map(reach);
+    let reach = |curvature: f64| (2.0 * deepest / curvature).sqrt();
+    let distance = curvature.map(reach);
     let feed = stroke.feed_per_revolution;
-    let rolls = engagement.rolls(AREA_POINTS);
-    let density: Vec<f64> = rolls.iter().map(|&w| engagement.area_density(w) * reach(w)).collect();
-    let strip = |(w, f): (&[f64], &[f64])| 0.5 * (w[1] - w[0]) * (f[0] + f[1]);
-    let contact_area = rolls.windows(2).zip(density.windows(2)).map(strip).sum();
+    let rolls = equidistant(engagement.roll, AREA_POINTS);
+    let strip =
+        |(&w, weight): (&f64, f64)| weight * engagement.area_density(w) * reach(engagement.gap_curvature(w));
+    let contact_area = rolls.iter().zip(weights(&rolls)).map(strip).sum();
     let threads_per_second = bodies.threads() * bodies.speeds(stroke.cutting_speed)[0];
     let rate_bound = stations.map(|w| {
         threads_per_second * feed * engagement.area_density(w) / engagement.profile_width(w) * deepest

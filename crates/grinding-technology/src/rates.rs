@@ -52,7 +52,7 @@ impl Cycle {
         let of_flank = &figures.flanks[flank];
         let [low, high] = of_flank.between;
         let w = sampled.w[i];
-        let curvature = engagement.gap_curvature(w);
+        let curvature = sampled.curvature[i];
         let middle = figures.sign() * (of_flank.raised[1] - v - engagement.line_slope() * w);
         let half = 0.5 * figures.sign() * self.bodies.face_width;
         let column = sampled.column(i, space);

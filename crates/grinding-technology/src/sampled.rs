@@ -18,6 +18,8 @@ const ALONG_PROFILE_CONSTANT: usize = 2048;
 pub(crate) struct Sampled {
     /// Lengths of roll, rising, mm.
     pub w: Vec<f64>,
+    /// H of the gap at each of them, 1/mm.
+    pub curvature: Vec<f64>,
     /// Axial places, rising, mm.
     pub z: Vec<f64>,
     /// Spaces that differ.
@@ -70,7 +72,8 @@ impl Sampled {
         };
         let values = w.par_iter().flat_map_iter(row).collect();
         let alike = field.spaces() as f64 / spaces as f64;
-        Self { w, z, spaces, alike, values }
+        let curvature = w.iter().map(|&w| bodies.flanks[flank].gap_curvature(w)).collect();
+        Self { w, curvature, z, spaces, alike, values }
     }
 
     /// a_0 along the face width at the `i`th length of roll of a space.

@@ -3,6 +3,7 @@
 use super::cycle::OnWorm;
 use super::{Cycle, STATIONS};
 use foundation::geometry::{Flank, Sides};
+use foundation::numerics::extremes;
 use rayon::prelude::*;
 
 /// Resolution of the removed section over the worm's width, mm: a part of the bins, which are 1 mm wide.
@@ -33,6 +34,18 @@ impl WearMap {
             self.removed.iter_mut().for_each(|row| *row = row[first..=last].to_vec());
         }
         self
+    }
+
+    /// V'_w at a station in the bin [m, m + 1), mm^3/mm; 0 in bins that the map leaves out.
+    pub fn value(&self, station: usize, m: i64) -> f64 {
+        let row = self.removed.get(station);
+        let bin = usize::try_from(m - self.first_bin).ok();
+        row.zip(bin).and_then(|(row, bin)| row.get(bin)).copied().unwrap_or(0.0)
+    }
+
+    /// The first bin and the one behind the last.
+    pub fn ends(&self) -> [i64; 2] {
+        [self.first_bin, self.first_bin + self.removed.first().map_or(0, Vec::len) as i64]
     }
 
     /// The largest.
@@ -137,7 +150,7 @@ impl Cycle {
         let [low, high] = figures.flanks[flank].between;
         let sampled = &self.stations[flank];
         let w = sampled.w[station];
-        let curvature = self.bodies.flanks[flank].gap_curvature(w);
+        let curvature = sampled.curvature[station];
         let on_worm = OnWorm::new(&self.bodies, flank, figures, w);
         let cells = sampled.z.len() - 1;
         let length = self.bodies.face_width / cells as f64;
@@ -158,7 +171,7 @@ impl Cycle {
         let half = 0.5 * self.bodies.face_width;
         let corners =
             [-half, half].into_iter().flat_map(|z| [0.0, reach(deepest)].map(|d| on_worm.place(z, d)));
-        let mut collected = Collected::over(foundation::numerics::extremes(corners));
+        let mut collected = Collected::over(extremes(corners));
         let slices = if cells == 1 { SLICES } else { SLICES / 6 };
         for (z, depth) in removed {
             let far = reach(depth);
@@ -189,12 +202,10 @@ impl WearTask<'_> {
                 let back = spread.step_per_part * parts.saturating_sub(1) as f64;
                 [from - back.max(0.0), to - back.min(0.0)]
             });
-            let mut bins: Option<[i64; 2]> = None;
-            for z_1 in reaches {
-                let bin = z_1.floor() as i64;
-                bins = Some(bins.map_or([bin; 2], |[low, high]| [low.min(bin), high.max(bin)]));
+            if all().next().is_none() {
+                return WearMap { first_bin: 0, removed: Vec::new() };
             }
-            let Some([low, high]) = bins else { return WearMap { first_bin: 0, removed: Vec::new() } };
+            let [low, high] = extremes(reaches).map(|z_1| z_1.floor() as i64);
             let stations = self.cycle.bodies.flanks[flank].stations();
             let row = |(spreads, w): (&Vec<Spread>, f64)| -> Vec<f64> {
                 let factor = self.cycle.bodies.flanks[flank].wear_factor(w);

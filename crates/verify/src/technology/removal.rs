@@ -203,19 +203,17 @@ fn map(actual: &WearMap, mut item: Expected<'_>, to: &Shares, ledger: &mut Ledge
             rows.len().into(),
             actual.removed.len().into(),
         );
-        for (i, (expected, actual_row)) in rows.iter().zip(&actual.removed).enumerate() {
+        for (i, expected) in rows.iter().enumerate() {
             let name = item.name(&format!("V_w_prime[{i}]"));
             let Some(expected) = super::super::expected::numbers(expected) else {
                 ledger.fail(item.case(), &name, expected.clone(), "a list of numbers is needed here".into());
                 continue;
             };
-            let ends = |first: i64, row: &[f64]| [first, first + row.len() as i64];
-            let [a, b] = [ends(first, &expected), ends(actual.first_bin, actual_row)];
-            for bin in a[0].min(b[0])..a[1].max(b[1]) {
-                let at = |first: i64, row: &[f64]| {
-                    usize::try_from(bin - first).ok().and_then(|k| row.get(k).copied()).unwrap_or(0.0)
-                };
-                let (expected, found) = (at(first, &expected), at(actual.first_bin, actual_row));
+            let given = [first, first + expected.len() as i64];
+            let [low, high] = actual.ends();
+            for bin in given[0].min(low)..given[1].max(high) {
+                let there = usize::try_from(bin - first).ok().and_then(|k| expected.get(k));
+                let (expected, found) = (there.copied().unwrap_or(0.0), actual.value(i, bin));
                 ledger.number(item.case(), &format!("{name} bin {bin}"), expected, found, tolerance);
             }
         }

@@ -33,8 +33,8 @@ pub struct RemovalTask {
     pub zone_width: Option<f64>,
     /// Between roughing and finishing, mm.
     pub zone_gap: f64,
-    /// Jump from part to part, mm; `None` where the job gives none.
-    pub step_per_part: Option<f64>,
+    /// Jump from part to part, mm.
+    pub step_per_part: f64,
     /// Times of a part beside grinding.
     pub times: Option<PartTimes>,
     /// Last tip diameter and what a dressing takes of the radius, mm.
@@ -77,7 +77,7 @@ impl RemovalTask {
             loads: ShopLimit { roughing: limits.Vw_roughing, finishing: limits.Vw_finishing },
             zone_width: limits.zone_width.or(job.worm.width),
             zone_gap: limits.zone_gap.unwrap_or(ZONE_GAP),
-            step_per_part: technology.step_per_part,
+            step_per_part: technology.step_per_part.unwrap_or(0.0),
             times: technology.times.map(|times| PartTimes {
                 load: times.load_s,
                 index: times.index_s,

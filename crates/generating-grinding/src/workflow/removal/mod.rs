@@ -11,12 +11,11 @@ pub use result::{
 use super::execution::Execution;
 use super::partition::Partition;
 use super::prepare::{Prepared, RemovalTask};
-use super::programs::result::ProgramsResult;
+use super::programs::result::{ProgramResult, ProgramsResult};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::MotionLaw;
-use foundation::numerics::extremes;
 use grinding_technology::{
-    Bodies, Cycle, Direction, FlankStroke, Sense, Shift, Stock, StockField, Stroke, TechnologyError,
+    Bodies, Cycle, Direction, FlankStroke, STATIONS, Sense, Shift, StockField, Stroke, TechnologyError,
     WidthUse, WormLife, ZoneLimits,
 };
 use job::{Diagnostic, Problem, shown_number};
@@ -27,8 +26,6 @@ const UM: f64 = 1e3;
 const RPM: f64 = 60.0;
 /// Intervals of the removal rate over a stroke.
 const INTERVALS: usize = 60;
-/// Axial places at which the largest and least stock is looked for.
-const PLACES: usize = 21;
 /// Bodies that nothing limits but the wanted cutting speed.
 const NO_LIMIT: f64 = 1e9;
 /// A shift within this of a straight line over the stroke is one, mm.
@@ -121,8 +118,7 @@ fn worked_out(
     let roll = Sides::from_fn(|flank| setup.fields[flank].roll());
     let bodies =
         Bodies::new(setup.pair.clone(), setup.largest_tip_radius, setup.input.blank.face_width, roll)?;
-    let field = StockField::new(Stock::clone(&task.stock), &bodies)?;
-    let extent = Sides::from_fn(|flank| extent(&bodies, &field, flank));
+    let field = StockField::new(task.stock.clone(), &bodies)?;
     let cycle = Cycle::new(bodies, field, strokes)?;
     let rates: Vec<[Vec<f64>; 2]> = (0..cycle.strokes.len()).map(|k| over_time(&cycle, k)).collect();
     let strokes: Vec<StrokeResult> =
@@ -151,8 +147,8 @@ fn worked_out(
     let result = RemovalResult {
         stock: StockResult {
             volume_mm3: cycle.stock_volume(),
-            largest_um: extent.map(|_, [_, most]| UM * most),
-            least_um: extent.map(|_, [least, _]| UM * least),
+            largest_um: cycle.extent.map(|_, [_, most]| UM * most),
+            least_um: cycle.extent.map(|_, [least, _]| UM * least),
         },
         strokes,
         worm_load: load,
@@ -185,7 +181,7 @@ fn strokes(
         }
         None => (planned, planned),
     };
-    let step_per_part = task.step_per_part.unwrap_or(0.0);
+    let step_per_part = task.step_per_part;
     let stroke = |left: f64, shift: Shift, zone: &str| Stroke {
         left: Sides::both(left),
         feed_per_revolution: technology.feed_per_revolution,
@@ -200,19 +196,6 @@ fn strokes(
     let rough = technology.roughing.iter().map(|&left| stroke(left, roughing, zone("roughing")));
     let fine = (0..=technology.spark_out).map(|_| stroke(0.0, finishing, zone("finishing")));
     rough.chain(fine).collect()
-}
-
-/// Least and largest stock over a flank.
-fn extent(bodies: &Bodies, stock: &StockField, flank: Flank) -> [f64; 2] {
-    let half = 0.5 * bodies.face_width;
-    let spaces = if stock.is_alike() { 1 } else { stock.spaces() };
-    let values = bodies.flanks[flank].stations().into_iter().flat_map(|w| {
-        (0..PLACES).flat_map(move |i| {
-            let z = -half + 2.0 * half * i as f64 / (PLACES - 1) as f64;
-            (0..spaces).map(move |k| stock.at(flank, w, z, k))
-        })
-    });
-    extremes(values)
 }
 
 /// Times from the first contact on and the removal rate at each.
@@ -275,21 +258,11 @@ fn worm_load(cycle: &Cycle, task: &RemovalTask) -> Option<WormLoadResult> {
     let by_shift = wear.parts_by_map(by_width, finishing);
     let by_load = level.parts;
     let maps = wear.after(by_shift.max(1));
-    let ends = |flank: Flank| {
-        let map = &maps[flank];
-        let bins = map.removed.first().map_or(0, Vec::len) as i64;
-        [map.first_bin, map.first_bin + bins]
-    };
-    let [left, right] = [ends(Flank::Left), ends(Flank::Right)];
+    let [left, right] = [maps.left.ends(), maps.right.ends()];
     let (from, to) = (left[0].min(right[0]), left[1].max(right[1]));
     let removed = maps.map(|_, map| {
-        let at = |bin: i64| {
-            let of_row = |row: &Vec<f64>| {
-                usize::try_from(bin - map.first_bin).ok().and_then(|k| row.get(k).copied()).unwrap_or(0.0)
-            };
-            map.removed.iter().map(of_row).fold(0.0, f64::max)
-        };
-        (from..to).map(at).collect()
+        let most = |bin: i64| (0..STATIONS).map(|station| map.value(station, bin)).fold(0.0, f64::max);
+        (from..to).map(most).collect()
     });
     Some(WormLoadResult {
         parts_by_load: by_load,
@@ -341,17 +314,23 @@ fn life_of(
     })
 }
 
-/// Of the programs of one control: all say the same motion.
+/// Programs of one control, "dressing" or "grinding": those of all controls say the same motion.
+fn of_one_control<'a>(
+    programs: &'a ProgramsResult,
+    station: &'static str,
+) -> impl Iterator<Item = &'a ProgramResult> {
+    let control = programs.programs.first().map(|program| program.control);
+    programs.programs.iter().filter(move |program| Some(program.control) == control && program.job == station)
+}
+
 fn part_time(
     task: &RemovalTask,
     programs: Option<&ProgramsResult>,
     parts_per_dressing: Option<usize>,
 ) -> Option<PartTimeResult> {
     let (times, programs) = (task.times?, programs?);
-    let control = programs.programs.first()?.control;
-    let of_station = |station: &str| -> f64 {
-        let those = programs.programs.iter().filter(|p| p.control == control && p.job == station);
-        those.map(|program| program.duration_s).sum()
+    let of_station = |station: &'static str| {
+        of_one_control(programs, station).map(|program| program.duration_s).sum::<f64>()
     };
     let (grinding_s, dressing_s) = (of_station("grinding"), of_station("dressing"));
     let parts = parts_per_dressing.filter(|parts| *parts > 0)?;
@@ -430,9 +409,7 @@ fn remarks(result: &RemovalResult, cycle: &Cycle, programs: Option<&ProgramsResu
 /// A worm that comes in when it should grind already plunges into the end of the teeth.
 fn short_approach(cycle: &Cycle, programs: Option<&ProgramsResult>) -> Option<Remark> {
     let programs = programs?;
-    let control = programs.programs.first()?.control;
-    let grinding = programs.programs.iter().filter(|p| p.control == control && p.job == "grinding");
-    let passes: Vec<_> = grinding.flat_map(|program| &program.passes).collect();
+    let passes: Vec<_> = of_one_control(programs, "grinding").flat_map(|program| &program.passes).collect();
     if passes.len() != cycle.strokes.len() {
         return None;
     }
