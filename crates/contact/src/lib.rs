@@ -9,6 +9,7 @@ mod kernel;
 mod pair;
 mod relative_curvature;
 mod rolled_pair;
+mod stand_off;
 mod surface;
 mod thread;
 mod tip_corner;
@@ -23,6 +24,7 @@ pub use rolled_pair::{
     ConjugateFlanks, ContactPattern, FlankPlaces, GapField, PairGap, RollCourse, RolledGear, RolledPair,
     overlap,
 };
+pub use stand_off::{Lever, StandOff};
 pub use surface::{SurfaceJet, ToolSurface};
 pub use thread::{ModifiedThread, ThreadFunction, Unmodified};
 pub use tip_corner::{RootFillet, TipCorner};

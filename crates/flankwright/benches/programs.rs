@@ -115,7 +115,7 @@ fn two_flank_job(c: &mut Criterion) {
 }
 
 fn pass(course: Course, range: [f64; 2], speed: f64) -> Pass {
-    Pass { name: "STROKE".into(), course, range, room: [5.0, 5.0], speed, clearance: 15.0, times: 1 }
+    Pass { name: "STROKE".into(), course, range, room: [5.0, 5.0], speed, clearance: 15.0, dwell: 0.0 }
 }
 
 fn options() -> LayoutOptions {

@@ -3,6 +3,7 @@
 
 use super::carried::RestFit;
 use super::{Decomposition, FlankLines, GeneratingError, GrindingSetup};
+use contact::{Lever, StandOff};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::MotionLaw;
 use foundation::numerics::equidistant;
@@ -44,9 +45,9 @@ pub fn motion_of_flanks(
 /// Delta_d and Delta_phi_2 that give the normal amounts `left` and `right`, mm, rad
 /// (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`).
 fn split(lines: &Sides<FlankLines>, left: f64, right: f64) -> (f64, f64) {
-    let (l, r) = (&lines.left, &lines.right);
-    let denominator = l.sin_an * r.lever + r.sin_an * l.lever;
-    ((left * r.lever + right * l.lever) / denominator, (right * l.sin_an - left * r.sin_an) / denominator)
+    let levers = lines.map(|_, line| Lever { sine: line.sin_an, arm: line.lever });
+    let off = StandOff::of_both(levers, Sides { left, right });
+    (off.delta_d, off.delta_phi_2)
 }
 
 /// Delta_d and Delta_phi_2 of two decompositions ground at once. A flank that is not ground leaves its share to the other:

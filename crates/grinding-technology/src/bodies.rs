@@ -2,7 +2,7 @@
 
 use super::TechnologyError;
 use super::error::{in_range, positive};
-use contact::{ContactError, FlankPair, Pair};
+use contact::{ContactError, FlankPair, Lever, Pair, StandOff};
 use foundation::geometry::{Flank, InvoluteFlank, Sides};
 use std::f64::consts::TAU;
 
@@ -92,6 +92,18 @@ impl Bodies {
     pub fn speeds(&self, cutting_speed: f64) -> [f64; 2] {
         let n_1 = 1e3 * cutting_speed / (TAU * self.worm_tip_radius);
         [n_1, n_1 * self.threads() / self.teeth()]
+    }
+
+    /// How a stroke that leaves `left` (normal, mm) stands off the finished flanks.
+    pub fn stand_off(&self, left: Sides<f64>) -> StandOff {
+        let lever = |engagement: &Engagement| {
+            let work = engagement.work();
+            Lever {
+                sine: engagement.pair.operating_alpha_n.sin(),
+                arm: work.base_radius * work.base_helix_angle.cos(),
+            }
+        };
+        StandOff::of_both(Sides::from_fn(|flank| lever(&self.flanks[flank])), left)
     }
 
     /// The largest value of a figure over the stations of both flanks.

@@ -3,12 +3,11 @@
 use super::sampled::{Sampled, weights};
 use super::stroke::check;
 use super::volumes::volumes;
-use super::{Bodies, Direction, Infeed, STATIONS, StockField, Stroke, TechnologyError};
+use super::{Bodies, Direction, STATIONS, StockField, Stroke, TechnologyError};
+use contact::StandOff;
 use foundation::geometry::{Flank, Sides};
 use foundation::numerics::{equidistant, extremes};
 
-/// Axial places at which the least and the largest stock are looked for.
-const FACE_PLACES: usize = 41;
 /// Points of the contact area's integral.
 const AREA_POINTS: usize = 2001;
 
@@ -52,7 +51,7 @@ pub struct StrokeFigures {
     /// As it was asked for.
     pub stroke: Stroke,
     /// Standing off the finished flank.
-    pub infeed: Infeed,
+    pub infeed: StandOff,
     /// Revolutions per second of worm and workpiece.
     pub speeds: [f64; 2],
     /// Feed, mm/s.
@@ -108,7 +107,7 @@ impl Cycle {
         let stations = Sides::from_fn(|flank| {
             Sampled::at(&stock, &bodies, flank, bodies.flanks[flank].stations().to_vec())
         });
-        let extent = Sides::from_fn(|flank| extent(&stock, &bodies, flank));
+        let extent = Sides::from_fn(|flank| stock.extent(&bodies, flank));
         let mut before = Sides::both(f64::INFINITY);
         let figures = strokes.into_iter().map(|stroke| {
             let left = stroke.left;
@@ -158,27 +157,13 @@ fn whole_part(stock: &StockField, volumes: &Sides<Vec<Vec<f64>>>, band: usize) -
     of_flank(Flank::Left) + of_flank(Flank::Right)
 }
 
-/// Least and largest stock at the stations.
-fn extent(stock: &StockField, bodies: &Bodies, flank: Flank) -> [f64; 2] {
-    let half = 0.5 * bodies.face_width;
-    let places = equidistant([-half, half], FACE_PLACES);
-    let spaces = if stock.is_alike() { 1 } else { stock.spaces() };
-    let own: Vec<_> = (0..spaces).map(|k| stock.of_space(flank, k)).collect();
-    let of_place = |(w, z): (f64, f64)| {
-        let place = stock.of_place(flank, w, z);
-        own.iter().map(move |own| own.on(place))
-    };
-    let at_station = |w: f64| places.iter().map(move |&z| (w, z));
-    extremes(bodies.flanks[flank].stations().into_iter().flat_map(at_station).flat_map(of_place))
-}
-
 fn figures(
     bodies: &Bodies,
     stroke: Stroke,
     between: Sides<[f64; 2]>,
     extent: &Sides<[f64; 2]>,
 ) -> StrokeFigures {
-    let infeed = Infeed::new(bodies, stroke.left);
+    let infeed = bodies.stand_off(stroke.left);
     let speeds = bodies.speeds(stroke.cutting_speed);
     let flanks = Sides::from_fn(|flank| {
         flank_figures(bodies, flank, &stroke, between[flank], extent[flank][1], infeed)
@@ -230,7 +215,7 @@ fn flank_figures(
     stroke: &Stroke,
     between: [f64; 2],
     most: f64,
-    infeed: Infeed,
+    infeed: StandOff,
 ) -> FlankStroke {
     let engagement = &bodies.flanks[flank];
     let stations = engagement.stations();

@@ -1,10 +1,11 @@
-//! The fastest cycle within the shop's limits: roughing strokes of equal thickness with one feed and without shift, then one finishing stroke.
+//! Cycles within the shop's limits: roughing strokes of equal thickness with one feed, then one finishing stroke. The fastest of them, and the
+//! one that a rule of thumb offers.
 
 use super::cycle::contact_feeds;
 use super::error::{in_range, positive};
 use super::level::ZoneLimits;
 use super::time::{Axes, Driven};
-use super::{Bodies, Direction, Infeed, STATIONS, TechnologyError};
+use super::{Bodies, Direction, STATIONS, TechnologyError};
 use foundation::geometry::{Flank, Sides};
 use foundation::numerics::{equidistant, golden_section};
 use rayon::prelude::*;
@@ -12,6 +13,10 @@ use rayon::prelude::*;
 /// Depths of finishing that are looked at before the best is refined, and steps of that.
 const SCANNED: usize = 161;
 const REFINED: usize = 40;
+/// The rule of thumb: finishing takes this share of the stock, and so many roughing strokes are made that they feed at least as much per
+/// workpiece revolution, mm.
+const USUAL_FINISHING: f64 = 0.25;
+const USUAL_FEED: f64 = 0.2;
 /// Factors on both limits of Q'_w for the picture of time, load and parts.
 const FACTORS: [f64; 5] = [0.5, 0.7, 1.0, 1.4, 2.0];
 
@@ -38,6 +43,8 @@ pub struct OptimumTask {
     pub most_finishing: f64,
     /// Roughing strokes, at most.
     pub most_roughing_strokes: usize,
+    /// Diagonal ratio of roughing.
+    pub ratio_roughing: f64,
     /// Diagonal ratio of finishing.
     pub ratio_finishing: f64,
     /// Way beyond first and last contact, each, mm.
@@ -87,6 +94,9 @@ pub struct OptimumRow {
 pub struct Optimum {
     /// The fastest.
     pub best: OptimumRow,
+    /// By the rule of thumb: a quarter of the stock for finishing, the fewest roughing strokes that feed 0.2 mm per revolution, every feed at
+    /// its limit.
+    pub standard: OptimumRow,
     /// By the number of roughing strokes.
     pub by_roughing_strokes: Vec<OptimumRow>,
     /// By the load.
@@ -133,7 +143,11 @@ impl OptimumTask {
         ] {
             in_range(field, value, value >= 0.0, ">= 0")?;
         }
-        in_range("optimise.K_finishing", self.ratio_finishing, true, "a finite number")?;
+        for (field, value) in
+            [("optimise.K_roughing", self.ratio_roughing), ("optimise.K_finishing", self.ratio_finishing)]
+        {
+            in_range(field, value, true, "a finite number")?;
+        }
         let above = |least: f64| format!(">= {least}");
         let (feed, finishing, gap) = (self.largest_feed, 1e3 * self.most_finishing, self.zones.zone_gap);
         in_range("optimise.largest_feed", feed, feed >= self.least_feed, &above(self.least_feed))?;
@@ -181,7 +195,8 @@ impl OptimumTask {
         let best = fastest(&by_roughing_strokes).filter(|row| row.cycle.is_some());
         let best = best.ok_or_else(|| figures.infeasible())?;
         let pareto = FACTORS.into_iter().filter_map(|factor| fastest(&table(factor))).collect();
-        Ok(Optimum { best, by_roughing_strokes, pareto })
+        let standard = figures.standard().unwrap_or(best);
+        Ok(Optimum { best, standard, by_roughing_strokes, pareto })
     }
 }
 
@@ -213,6 +228,24 @@ impl Figures<'_> {
         self.at(roughing, factor, better)
     }
 
+    /// The cycle of the rule of thumb; where its depths leave too little feed, that of the most strokes that keep the limits.
+    fn standard(&self) -> Option<OptimumRow> {
+        let task = self.task;
+        let finishing = (USUAL_FINISHING * task.stock).clamp(task.least_finishing, task.most_finishing);
+        let row = |roughing_strokes: usize| {
+            let finishing = if roughing_strokes == 0 { task.stock } else { finishing };
+            let cycle = self.at(roughing_strokes, 1.0, finishing)?;
+            Some(OptimumRow { limit_factor: 1.0, roughing_strokes, cycle: Some(cycle) })
+        };
+        // What finishing takes by itself needs no roughing.
+        let least = usize::from(task.stock > finishing);
+        let rows: Vec<OptimumRow> = (least..=task.most_roughing_strokes).filter_map(row).collect();
+        let usual = |row: &&OptimumRow| {
+            row.roughing_strokes == 0 || row.cycle.is_some_and(|cycle| cycle.feeds[0] >= USUAL_FEED)
+        };
+        rows.iter().find(usual).or(rows.last()).copied()
+    }
+
     /// The cycle with the largest feeds for a depth of finishing; `None` where one is below the least.
     fn at(&self, roughing: usize, factor: f64, finishing: f64) -> Option<BestCycle> {
         let task = self.task;
@@ -227,8 +260,8 @@ impl Figures<'_> {
         if feed_finishing < task.least_feed || roughing > 0 && feed_roughing < task.least_feed {
             return None;
         }
-        let rough =
-            (1..=roughing).map(|i| self.stroke(task.stock - depth * i as f64, depth, feed_roughing, 0.0));
+        let rough = (1..=roughing)
+            .map(|i| self.stroke(task.stock - depth * i as f64, depth, feed_roughing, task.ratio_roughing));
         let strokes = rough.sum::<f64>() + self.stroke(0.0, finishing, feed_finishing, task.ratio_finishing);
         let taken = (roughing > 0).then_some(self.wear * (task.stock - finishing));
         let parts = task.zones.parts(taken, self.wear * finishing);
@@ -245,7 +278,7 @@ impl Figures<'_> {
 
     /// Time of one stroke that leaves `left` after a depth of cut, s.
     fn stroke(&self, left: f64, depth: f64, feed: f64, ratio: f64) -> f64 {
-        let infeed = Infeed::new(self.bodies, Sides::both(left));
+        let infeed = self.bodies.stand_off(Sides::both(left));
         let flanks = Sides::from_fn(|flank: Flank| {
             let raised = self.bodies.flanks[flank].raised(infeed.delta_d)[1];
             (raised, self.curvature[flank].map(|h| (2.0 * depth / h).sqrt()))

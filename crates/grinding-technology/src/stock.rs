@@ -3,7 +3,11 @@
 use super::error::{in_range, positive};
 use super::{Bodies, TechnologyError};
 use foundation::geometry::{Flank, InvoluteFlank, Sides};
+use foundation::numerics::{equidistant, extremes};
 use std::f64::consts::TAU;
+
+/// Axial places at which the least and the largest stock are looked for.
+const FACE_PLACES: usize = 41;
 
 /// um u^i y^j, u and y from -1 to 1 over profile and face width.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -158,6 +162,20 @@ impl StockField {
         let on = &self.flanks[flank];
         let inside = |w: &f64| *w > on.roll[0] && *w < on.roll[1];
         on.profile.iter().map(|(w, _)| *w).filter(inside).collect()
+    }
+
+    /// Least and largest stock of a flank at the stations, mm.
+    pub fn extent(&self, bodies: &Bodies, flank: Flank) -> [f64; 2] {
+        let half = 0.5 * bodies.face_width;
+        let places = equidistant([-half, half], FACE_PLACES);
+        let spaces = if self.is_alike() { 1 } else { self.spaces };
+        let own: Vec<_> = (0..spaces).map(|k| self.of_space(flank, k)).collect();
+        let of_place = |(w, z): (f64, f64)| {
+            let place = self.of_place(flank, w, z);
+            own.iter().map(move |own| own.on(place))
+        };
+        let at_station = |w: f64| places.iter().map(move |&z| (w, z));
+        extremes(bodies.flanks[flank].stations().into_iter().flat_map(at_station).flat_map(of_place))
     }
 
     /// a_0 at length of roll `w` and `z` of space `k`, mm; below 0 where material is missing.

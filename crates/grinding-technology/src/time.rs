@@ -85,6 +85,11 @@ impl Axes {
         }
         Ok(())
     }
+
+    /// Time in which the axial slide goes back over a way (mm) from rest to rest, s.
+    pub fn way_back(&self, way: f64) -> f64 {
+        self.z.rest_to_rest(way)
+    }
 }
 
 /// Wanted speed of an infeed, mm/s: the axis decides.

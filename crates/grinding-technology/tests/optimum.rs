@@ -19,6 +19,7 @@ fn task(ratio: f64) -> OptimumTask {
         least_finishing: 0.01,
         most_finishing: 0.06,
         most_roughing_strokes: 2,
+        ratio_roughing: 0.0,
         ratio_finishing: ratio,
         overrun: 1.0,
         clearance: 15.0,

@@ -202,8 +202,8 @@ impl DressingCourse {
     }
 }
 
-/// A law that goes on straight beyond an interval.
-fn beyond(law: &MotionLaw, [from, to]: [f64; 2], v: f64) -> f64 {
+/// The value of a law that goes on straight beyond an interval, as programs drive it.
+pub fn beyond(law: &MotionLaw, [from, to]: [f64; 2], v: f64) -> f64 {
     let at = v.clamp(from, to);
     let [value, slope, _] = law.jet(at);
     value + slope * (v - at)

@@ -27,8 +27,8 @@ pub struct Pass {
     pub speed: f64,
     /// How far the tool stands off before and after, mm of centre distance.
     pub clearance: f64,
-    /// How often it is driven, at least once.
-    pub times: usize,
+    /// Pause after it, s.
+    pub dwell: f64,
 }
 
 /// All lines of a disc on one thread of the worm, one after the other.
@@ -106,7 +106,7 @@ pub struct PassReport {
     pub short_blocks: usize,
     /// What the rounding of the numbers may add, mm.
     pub rounding: f64,
-    /// Time of one drive, s.
+    /// Time with the pause after it, s.
     pub time: f64,
     /// Path of the stroke.
     pub path: AxisPath,

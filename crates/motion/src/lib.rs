@@ -17,7 +17,7 @@ mod trace;
 mod waypoint;
 
 pub use axes::{AxisWords, axis_words};
-pub use course::{Course, DressingCourse, GrindingCourse, dresser_contacts};
+pub use course::{Course, DressingCourse, GrindingCourse, beyond, dresser_contacts};
 pub use error::MotionError;
 pub use layout::{
     Coupling, Layout, LayoutOptions, LinePass, Pass, PassReport, WorkGear, in_words, lay_out, lay_out_lines,

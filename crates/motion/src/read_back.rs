@@ -486,6 +486,11 @@ impl Tracked {
         blocks.chain(self.rapids.iter().map(|(block, [from, to])| (*block, [from, to])))
     }
 
+    /// Blocks of rapid moves, from 1, rising.
+    pub fn rapid_blocks(&self) -> impl Iterator<Item = usize> {
+        self.rapids.iter().map(|(block, _)| *block)
+    }
+
     /// Where the axes stand off the strokes of these blocks: along all other blocks and rapid moves, and at the first and the last place
     /// of each stroke. Block, from 1, and positions.
     pub fn beside(&self, machine: &Machine, strokes: &[[usize; 2]]) -> Vec<(usize, Positions)> {

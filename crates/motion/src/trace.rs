@@ -43,6 +43,20 @@ impl AxisTrace {
     }
 
     /// Each axis moves on its own as fast as it may; an axis without limits jumps.
+    /// All axes stand for a time, s.
+    pub(super) fn stand(&mut self, time: f64) {
+        if let Some(&last) = self.rows.last() {
+            let at = last.at;
+            let still = |t: f64| TraceRow {
+                t,
+                at,
+                velocity: Positions::default(),
+                acceleration: Positions::default(),
+            };
+            self.rows.extend([still(last.t), still(last.t + time)]);
+        }
+    }
+
     pub(super) fn rapid(&mut self, machine: &Machine, from: &Positions, to: &Positions) {
         let begun = self.duration();
         let curves: Vec<SCurve> = machine

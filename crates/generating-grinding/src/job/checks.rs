@@ -11,7 +11,7 @@ mod technology;
 mod tool;
 
 use super::Job;
-use job::checks::{clamping_bodies, control_of_job, every_job};
+use job::checks::{clamping_bodies, control_of_job, every_job, falling_stock};
 use job::{Diagnostic, Problem, shown_number};
 
 /// All contradictions in a job; without places, which the caller knows.
@@ -31,6 +31,7 @@ pub(crate) fn check(job: &Job) -> Vec<Diagnostic> {
     technology::check(job, &mut findings);
     control_of_job(job.control.as_ref(), job.grinding.feed_per_revolution, &mut findings);
     clamping_bodies(job.machine.as_ref().map_or(&[], |machine| &machine.clamping), &mut findings);
+    falling_stock(job.machine.as_ref(), &mut findings);
     settings(job, &mut findings);
     findings
 }

@@ -1,5 +1,6 @@
-//! `[technology]`: limits of the shop, times beside grinding, life of the worm, rates.
+//! `[technology]`: strokes, limits of the shop, times beside grinding, life of the worm, rates.
 
+use super::stroke::StrokeOfJob;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -8,6 +9,15 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Technology {
+    /// Which strokes a part gets where the job lists none: by a rule of thumb, or the fastest, both within the limits. Default "standard" where
+    /// `technology.limits.Qw_roughing` and `Qw_finishing` are given and `machine.roughing_stock_um`, `machine.spark_out` and
+    /// `grinding.feed_per_revolution` are not.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cycle: Option<CycleRule>,
+    /// The strokes in driving order; default those of `cycle`, or of `machine.roughing_stock_um` and `machine.spark_out`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(extend("maxItems" = 40))]
+    pub strokes: Vec<StrokeOfJob>,
     /// The shop's own limits; each by itself.
     #[serde(default)]
     pub limits: TechnologyLimits,
@@ -24,6 +34,16 @@ pub struct Technology {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = -100, "maximum" = 100, "x-way-out" = "give the jump in mm, or leave it out"))]
     pub step_per_part: Option<f64>,
+}
+
+/// How strokes are chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum CycleRule {
+    /// A quarter of the stock for finishing, the fewest roughing strokes that feed 0.2 mm per revolution, every feed at its limit.
+    Standard,
+    /// The least time of a part.
+    Fastest,
 }
 
 /// Limits that the shop knows from its wheels, its steel and its coolant.
@@ -51,6 +71,42 @@ pub struct TechnologyLimits {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000, "x-way-out" = "give the width in mm"))]
     pub zone_width: Option<f64>,
+    /// Height of the feed marks that finishing leaves, um; default 0.5.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 100, "x-way-out" = "give the height in um, e.g. 0.5"))]
+    pub feed_mark_um: Option<f64>,
+    /// Least feed per revolution of the workpiece, mm; default 0.02.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 20, "x-way-out" = "give the feed in mm, e.g. 0.02"))]
+    pub least_feed: Option<f64>,
+    /// Largest feed per revolution of the workpiece, mm; default 1.2.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 20, "x-way-out" = "give the feed in mm, e.g. 1.2"))]
+    pub largest_feed: Option<f64>,
+    /// Least depth of a finishing stroke, normal, um; default 10.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2000, "x-way-out" = "give the depth in um, e.g. 10"))]
+    pub least_finishing_um: Option<f64>,
+    /// Largest depth of a finishing stroke, normal, um; default 50.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2000, "x-way-out" = "give the depth in um, e.g. 50"))]
+    pub most_finishing_um: Option<f64>,
+    /// Most roughing strokes; default 4.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("maximum" = 20, "x-way-out" = "give a number of strokes, e.g. 4"))]
+    pub most_roughing_strokes: Option<u32>,
+    /// Peripheral speed of the wheel that no stroke and no dressing exceeds, m/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200, "x-way-out" = "give the speed in m/s, e.g. 63"))]
+    pub wheel_speed_m_per_s: Option<f64>,
+    /// Speed of the worm's spindle that no stroke and no dressing exceeds, 1/min.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 100_000, "x-way-out" = "give the speed in 1/min"))]
+    pub worm_speed_rpm: Option<f64>,
+    /// Speed of the workpiece's spindle that no stroke exceeds, 1/min.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 100_000, "x-way-out" = "give the speed in 1/min"))]
+    pub work_speed_rpm: Option<f64>,
     /// Between the parts of it for roughing and finishing, mm; default 2.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 0, "maximum" = 100, "x-way-out" = "give the distance in mm, e.g. 2"))]

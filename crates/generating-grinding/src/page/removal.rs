@@ -1,6 +1,8 @@
 //! Stock, strokes, load of the worm, time and cost.
 
-use crate::workflow::removal::{RemovalResult, StrokeResult};
+use crate::workflow::removal::{CycleResult, CyclesResult, PartTimeResult, RemovalResult, StrokeResult};
+use foundation::geometry::Sides;
+use report::cells::NONE;
 use report::charts::{
     ChartError, LineChart, Panel, Series, YScale, format_fixed, format_significant, line_chart,
 };
@@ -39,6 +41,17 @@ pub(super) fn removal(result: &RemovalResult) -> Result<Vec<Block>, ChartError> 
         };
         blocks.push(Block::Figure(Figure::new("load-of-the-worm", line_chart(&chart)?, &caption)));
     }
+    if let Some(cycles) = &result.cycles {
+        blocks.push(Block::Table(cycles_table(cycles)));
+        blocks.push(Block::Figure(Figure::new(
+            "time-over-load",
+            line_chart(&time_over_load(cycles))?,
+            "The fastest cycle with both limits of Q'_w multiplied by the same factor: what a harder or softer grind brings.",
+        )));
+    }
+    if let Some(time) = &result.part_time {
+        blocks.push(Block::Table(time_table(time)));
+    }
     blocks.push(Block::Tables(vec![Table::of_quantities("Worm, time and cost", &quantities(result))]));
     if !result.indicators.is_empty() {
         blocks.push(Block::Table(indicators(result)));
@@ -53,17 +66,22 @@ fn strokes(strokes: &[StrokeResult], volume_mm3: f64) -> Table {
         };
         vec![
             format!("{} {}", k + 1, stroke.stage),
-            format_fixed(stroke.left_um, 1),
+            sides(stroke.left_um, 1),
             format_fixed(most(|f| f.depth_um), 1),
             format_fixed(stroke.worm_speed_rpm, 0),
-            format_fixed(stroke.feed_mm_per_s, 3),
-            stroke.sense.to_owned(),
+            format_fixed(stroke.feed_per_revolution_mm, 3),
+            format_fixed(60.0 * stroke.feed_mm_per_s, 1),
+            format!("{}, {}", stroke.direction, stroke.sense),
             format_fixed(stroke.approach_mm, 1),
             format_fixed(stroke.travel_mm, 1),
             format_fixed(stroke.volume_mm3, 1),
             format_fixed(stroke.largest_rate_mm3_per_s, 1),
             format_fixed(most(|f| f.specific_rate_mm3_per_mm_s), 2),
             format_fixed(most(|f| f.contact_length_mm), 1),
+            stroke.nearest_limit.as_ref().map_or(NONE.to_owned(), |near| {
+                let key = near.limit.rsplit('.').next().unwrap_or(near.limit);
+                format!("{:.0} % of {key}", 100.0 * near.share)
+            }),
         ]
     };
     Table {
@@ -73,7 +91,8 @@ fn strokes(strokes: &[StrokeResult], volume_mm3: f64) -> Table {
             Column::number("Left", "µm"),
             Column::number("Depth of cut", "µm"),
             Column::number("Worm", "1/min"),
-            Column::number("Feed", "mm/s"),
+            Column::number("Feed per rev.", "mm"),
+            Column::number("Feed", "mm/min"),
             Column::text("Sense"),
             Column::number("Approach", "mm"),
             Column::number("Travel", "mm"),
@@ -81,6 +100,7 @@ fn strokes(strokes: &[StrokeResult], volume_mm3: f64) -> Table {
             Column::number("Largest rate Q_w", "mm³/s"),
             Column::number("Largest Q'_w", "mm³/(mm s)"),
             Column::number("Contact length", "mm"),
+            Column::text("Nearest limit"),
         ],
         rows: strokes.iter().enumerate().map(row).collect(),
         note: format!(
@@ -88,6 +108,15 @@ fn strokes(strokes: &[StrokeResult], volume_mm3: f64) -> Table {
             format_significant(volume_mm3, 5)
         ),
     }
+}
+
+/// A value for both flanks, or one for each: left, then right.
+fn sides(value: Sides<f64>, digits: usize) -> String {
+    let Sides { left, right } = value;
+    if left == right {
+        return format_fixed(left, digits);
+    }
+    format!("{} / {}", format_fixed(left, digits), format_fixed(right, digits))
 }
 
 fn rates(strokes: &[StrokeResult]) -> LineChart {
@@ -110,6 +139,105 @@ fn rates(strokes: &[StrokeResult]) -> LineChart {
     }
 }
 
+/// Cycles within the limits, with what a job would state to have them.
+fn cycles_table(cycles: &CyclesResult) -> Table {
+    let row = |name: &str, cycle: &CycleResult| {
+        let [rough, fine] = cycle.feed_per_revolution_mm;
+        let [rate_rough, rate_fine] = cycle.specific_rate_mm3_per_mm_s;
+        let of_roughing = |value: f64, digits: usize| {
+            if cycle.roughing_strokes == 0 { NONE.to_owned() } else { format_fixed(value, digits) }
+        };
+        vec![
+            name.to_owned(),
+            cycle.roughing_strokes.to_string(),
+            format_fixed(cycle.finishing_um, 1),
+            of_roughing(rough, 3),
+            format_fixed(fine, 3),
+            of_roughing(rate_rough, 2),
+            format_fixed(rate_fine, 2),
+            format_fixed(cycle.feed_mark_um, 3),
+            cycle.parts_per_dressing.map_or(NONE.to_owned(), |parts| format_fixed(parts.floor(), 0)),
+            format_fixed(cycle.part_s, 1),
+        ]
+    };
+    let mut rows = vec![row("standard", &cycles.standard), row("fastest", &cycles.fastest)];
+    for (roughing, cycle) in cycles.by_roughing_strokes.iter().enumerate() {
+        let name = format!("fastest with {roughing} roughing");
+        match cycle {
+            Some(cycle) => rows.push(row(&name, cycle)),
+            None => rows.push(vec![name, roughing.to_string(), "not within the limits".to_owned()]),
+        }
+    }
+    let axes = if cycles.on_machine { "" } else { " No machine is named: ramps of axes are left out." };
+    let dressing = if cycles.with_dressing { "" } else { " Without a limit of V'_w dressing is left out." };
+    Table {
+        caption: "Cycles within the limits".to_owned(),
+        columns: vec![
+            Column::text("Cycle"),
+            Column::number("Roughing strokes", ""),
+            Column::number("Finishing takes", "µm"),
+            Column::number("Feed, roughing", "mm/rev"),
+            Column::number("Feed, finishing", "mm/rev"),
+            Column::number("Q'_w, roughing", "mm³/(mm s)"),
+            Column::number("Q'_w, finishing", "mm³/(mm s)"),
+            Column::number("Feed marks", "µm"),
+            Column::number("Parts per dressing", ""),
+            Column::number("Part", "s"),
+        ],
+        rows,
+        note: format!(
+            "Roughing strokes of equal depth and one finishing stroke on {} µm of stock on both flanks, every feed at its limit. Parts per dressing: if the width is used at its best. `technology.cycle` takes the standard or the fastest, `technology.strokes` any other.{axes}{dressing}",
+            format_significant(cycles.stock_um, 4)
+        ),
+    }
+}
+
+fn time_over_load(cycles: &CyclesResult) -> LineChart {
+    let at = |of: &dyn Fn(&CycleResult) -> Option<f64>| -> (Vec<f64>, Vec<f64>) {
+        let each = cycles.by_load.iter().filter_map(|cycle| Some((cycle.limit_factor, of(cycle)?)));
+        each.unzip()
+    };
+    let panel = |y_title: &str, name: &str, of: &dyn Fn(&CycleResult) -> Option<f64>| {
+        let (x, y) = at(of);
+        Panel {
+            y_title: y_title.to_owned(),
+            least_span: 0.0,
+            scale: YScale::Linear,
+            series: vec![Series::new(name, x, y)],
+        }
+    };
+    let mut panels = vec![panel("Part [s]", "time of a part", &|cycle| Some(cycle.part_s))];
+    if cycles.with_dressing {
+        panels.push(panel("Parts", "parts per dressing", &|cycle| cycle.parts_per_dressing));
+    }
+    LineChart {
+        title: "Time over load".to_owned(),
+        x_title: "Factor on the limits of Q'_w".to_owned(),
+        panels,
+    }
+}
+
+/// Where the time of a part goes.
+fn time_table(time: &PartTimeResult) -> Table {
+    let row = |name: &str, seconds: f64| {
+        vec![name.to_owned(), format_fixed(seconds, 2), format_fixed(100.0 * seconds / time.part_s, 1)]
+    };
+    let by_law = time.grinding_by_law_s.map_or(String::new(), |seconds| {
+        format!(" By the law of moves from rest to rest grinding takes {} s.", format_fixed(seconds, 2))
+    });
+    Table {
+        caption: "Time of a part".to_owned(),
+        columns: vec![Column::text("Part of it"), Column::number("Time", "s"), Column::number("Share", "%")],
+        rows: vec![
+            row("Grinding", time.grinding_s),
+            row("Dressing, share of a part", time.dressing_per_part_s),
+            row("Loading, indexing and other", time.auxiliary_s),
+            row("All", time.part_s),
+        ],
+        note: format!("Grinding and dressing as the proven programs take it.{by_law}"),
+    }
+}
+
 fn quantities(result: &RemovalResult) -> Vec<Quantity> {
     let number = Quantity::number;
     let mut found = vec![number("Stock of all spaces", "", result.stock.volume_mm3, "mm³")];
@@ -122,11 +250,7 @@ fn quantities(result: &RemovalResult) -> Vec<Quantity> {
         found.push(Quantity::count("Parts per worm", "", life.parts_per_worm as i64));
     }
     if let Some(time) = &result.part_time {
-        found.push(number("Grinding", "", time.grinding_s, "s"));
-        found.push(number("Dressing", "", time.dressing_s, "s"));
-        found.push(number("Dressing, share of a part", "", time.dressing_per_part_s, "s"));
-        found.push(number("Beside grinding", "", time.auxiliary_s, "s"));
-        found.push(number("Part", "", time.part_s, "s"));
+        found.push(number("One dressing", "", time.dressing_s, "s"));
     }
     if let Some(cost) = &result.cost_per_part {
         found.push(number("Cost of the machine", "", cost.machine, ""));

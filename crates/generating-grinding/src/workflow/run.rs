@@ -14,7 +14,7 @@ use super::partition::Partition;
 use super::prepare::{GivenSettings, Prepared, prepare};
 use super::referee::{self, Cutting};
 use super::refusal::{of_planning, of_simulation};
-use super::removal::removal_of_run;
+use super::removal::{RunCycle, removal_of_run};
 use super::result::{CandidateResult, FlankResult, JobResult, LeastDeviationResult, SettingsResult};
 use super::tip_edge::{judge_tip_edge, tip_edge_depths};
 use super::tip_land::TipLands;
@@ -108,13 +108,14 @@ fn simulated(
 }
 
 fn finish(
-    prepared: Prepared,
+    mut prepared: Prepared,
     execution: Execution,
     plan: Option<GrindingPlan>,
     mut timing: BTreeMap<&'static str, f64>,
     progress: &dyn Progress,
 ) -> Result<Outcome, RunFailure> {
     let partition = Partition::of_cycle(&prepared, execution.ratio, &execution.motion.shift)?;
+    let on_stock = prepared.put_on_stock(&execution)?;
     let cycle = &prepared.cycle;
     let tip_lands = TipLands::of_execution(&prepared, &execution, plan.is_some())?;
     let dressing_lines = Instant::now();
@@ -123,7 +124,11 @@ fn finish(
         timing.insert("dressing lines", dressing_lines.elapsed().as_secs_f64());
     }
     let refereeing = Instant::now();
-    let cutting = Cutting { feed_per_revolution: cycle.feed_per_revolution, strokes: cycle.strokes.as_ref() };
+    let finishing_feed = on_stock.as_ref().and_then(RunCycle::finishing_feed);
+    let cutting = Cutting {
+        feed_per_revolution: finishing_feed.or(cycle.feed_per_revolution),
+        strokes: cycle.strokes.as_ref(),
+    };
     let verdicts = referee::run(&prepared.setup, &execution, cutting, progress).map_err(|e| {
         // What took the place of a refusal and cannot be ground is refused for the first reason.
         let refused = plan.as_ref().and_then(|plan| plan.instead_of.as_deref());
@@ -153,7 +158,7 @@ fn finish(
     let removal = removal_of_run(
         &prepared,
         &execution,
-        (partition.as_ref(), programs.as_ref().map(|programs| &programs.result)),
+        (on_stock.as_ref(), programs.as_ref().map(|programs| &programs.result)),
     )?;
     let mut warnings = prepared.warnings.clone();
     warnings.extend(execution.warnings.iter().cloned());

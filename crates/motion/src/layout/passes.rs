@@ -69,7 +69,7 @@ impl<'a> Writer<'a> {
         })
     }
 
-    /// One pass as often as it is driven.
+    /// One pass.
     pub fn pass(&mut self, pass: &Pass) -> Result<(), MotionError> {
         let stroke = self.stroke(pass)?;
         let paths = [&stroke.infeed, &stroke.stroke, &stroke.retraction];
@@ -85,11 +85,13 @@ impl<'a> Writer<'a> {
             self.blocks.push(Block::Table(Box::new(table.clone())));
         }
         let begun = self.trace.duration();
-        for _ in 0..pass.times.max(1) {
-            self.blocks.push(comment(&pass.name));
-            self.drive(pass, &stroke, gear.as_ref())?;
+        self.blocks.push(comment(&pass.name));
+        self.drive(pass, &stroke, gear.as_ref())?;
+        if pass.dwell > 0.0 {
+            self.blocks.push(Block::Dwell(pass.dwell));
+            self.trace.stand(pass.dwell);
         }
-        let time = (self.trace.duration() - begun) / pass.times.max(1) as f64;
+        let time = self.trace.duration() - begun;
         let nodes = &stroke.stroke.nodes;
         let driven = [nodes.first(), nodes.last()].map(|node| node.map_or(0.0, |(at, _)| at.v));
         self.reports.push(PassReport {

@@ -6,8 +6,8 @@ use super::{
     VariableRule, Variables,
 };
 use job::checks::{
-    clamping_bodies, contradiction, control_of_job, dresser_diameters, every_job, not_yet, root_clearance,
-    worm_diameters,
+    clamping_bodies, contradiction, control_of_job, dresser_diameters, every_job, falling_stock, not_yet,
+    root_clearance, worm_diameters,
 };
 use job::tables::{Flanks, Gear, OneOrSides};
 use job::{Diagnostic, Problem, shown_number};
@@ -29,6 +29,7 @@ pub(crate) fn check(job: &TangentialJob) -> Vec<Diagnostic> {
     let splines = job.dressing.splines.iter().map(|spline| spline.channel);
     spline_twice("dressing", splines, &mut findings);
     clamping_bodies(job.machine.as_ref().map_or(&[], |machine| &machine.clamping), &mut findings);
+    falling_stock(job.machine.as_ref(), &mut findings);
     if let Some(settings) = &job.settings {
         values(settings, &mut findings);
     }

@@ -27,8 +27,8 @@ pub fn control_of_tangential(
     let run = ControlledRun {
         control,
         pair: &ready.model.pair,
-        worm_speed: ready.technology.worm_speed,
-        feed_per_revolution: ready.technology.feed_per_revolution,
+        worm_speed: ready.technology.finishing().worm_speed,
+        feed_per_revolution: ready.technology.finishing().feed_per_revolution,
         tolerance: &|_, _| tolerance,
         passes: passes.iter().map(|(pass, motion)| controlled(ready, pass, motion)).collect(),
     };

@@ -4,7 +4,7 @@ use crate::workflow::{
     DrivenMotions, TangentialPass, TangentialPrepared, TangentialRun, passes_of_runs, referee, worm_rays,
 };
 use crate::{TangentialFlank, TangentialStrokes};
-use contact::Measure;
+use contact::{Lever, Measure};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::DressingMotion;
 use foundation::numerics::{Silent, equidistant};
@@ -116,10 +116,10 @@ fn work_of_pass(
     let pair = &ready.model.pair;
     let sin_an = |flank: Flank| pair.work.data().pressure_angle[flank].sin();
     let per_distance = pass.iter().map(|&flank| sin_an(flank)).fold(0.0, f64::max);
-    let per_turn = pass.iter().map(|&flank| {
+    let arm = |flank: Flank| {
         let f = pair.work.flank(flank);
         f.base_radius * f.base_helix_angle.cos()
-    });
+    };
     let shown = match pass.as_slice() {
         [only] => format!("{} FLANK", only.name().to_uppercase()),
         _ => "BOTH FLANKS".to_owned(),
@@ -144,8 +144,11 @@ fn work_of_pass(
         phase: driven.grinding.phase[first],
         motion: driven.grinding,
         feeds: driven.feed,
-        per_turn: per_turn.fold(0.0, f64::max),
+        per_turn: pass.iter().map(|&flank| arm(flank)).fold(0.0, f64::max),
         per_distance,
+        levers: Sides::from_fn(|flank| {
+            pass.contains(&flank).then(|| Lever { sine: sin_an(flank), arm: arm(flank) })
+        }),
     };
     Ok((dressing, grinding))
 }

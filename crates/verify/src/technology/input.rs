@@ -483,6 +483,7 @@ impl Input {
             least_finishing: UM * input.least_finishing_um,
             most_finishing: UM * input.most_finishing_um,
             most_roughing_strokes: input.most_roughing_strokes,
+            ratio_roughing: 0.0,
             ratio_finishing: input.K_finishing,
             overrun: input.overrun,
             clearance: input.clearance,

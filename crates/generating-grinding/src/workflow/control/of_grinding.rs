@@ -38,8 +38,8 @@ pub fn control_of_grinding(
     let run = ControlledRun {
         control,
         pair: &prepared.setup.pair,
-        worm_speed: technology.worm_speed,
-        feed_per_revolution: technology.feed_per_revolution,
+        worm_speed: technology.finishing().worm_speed,
+        feed_per_revolution: technology.finishing().feed_per_revolution,
         tolerance: &|w, z| prepared.tolerance.value(w, z),
         passes: vec![pass],
     };

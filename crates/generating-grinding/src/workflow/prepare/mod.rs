@@ -20,13 +20,16 @@ pub use dressing::{DressingTask, PointDresser};
 pub use judged::TracePlaces;
 use judged::tolerance_over_flank;
 pub use planning::{PlanningRules, axis_limits};
-pub use removal::{RemovalTask, ShopLimit};
+pub use removal::{CycleLimits, RemovalTask, ShopLimit, SpeedLimits, StrokesWanted, WantedStroke};
 pub use settings::GivenSettings;
 pub use targets::{tolerance_of_job, wanted_flanks};
 
 use super::equal_ratio_offers::free_lines;
 use crate::job::{DiagonalRatio, DiagonalRule, Grinding, LoadedJob, Method, Tool as JobTool};
+use crate::workflow::execution::Execution;
+use crate::workflow::partition::Partition;
 use crate::workflow::programs::technology::Technology;
+use crate::workflow::removal::{RunCycle, cycle_of_run};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::MotionLaw;
 use foundation::modification::{ModificationSpec, ToleranceMap};
@@ -134,6 +137,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
     let traces = Sides::from_fn(|flank| TracePlaces::of_job(loaded, &setup.fields[flank]));
     let technology =
         Technology::of_grinding(&job.machine.clone().unwrap_or_default(), &setup, cycle.feed_per_revolution);
+    let removal = RemovalTask::of_job(job, &setup, (&cycle, &technology))?;
     Ok(Prepared {
         info: job.job.clone(),
         technology: match &setup.input.dresser {
@@ -142,7 +146,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
             }
             None => technology,
         },
-        removal: RemovalTask::of_job(job, &setup)?,
+        removal,
         setup,
         targets,
         drawn: job.target.modifications.clone().unwrap_or_default(),
@@ -172,6 +176,21 @@ impl Prepared {
         let machine = loaded.job.machine.as_ref();
         let machine = machine.map(|machine| machine_of_job(&loaded.document, &machine.file)).transpose()?;
         Ok(Self { machine, ..self })
+    }
+}
+
+impl Prepared {
+    /// Puts the strokes of a run on its stock in the place of those of `[machine]`; `None` where no stock is known.
+    ///
+    /// # Errors
+    /// [`RunFailure`] with a finding on `[stock]` or `[technology]`.
+    pub fn put_on_stock(&mut self, execution: &Execution) -> Result<Option<RunCycle>, RunFailure> {
+        let partition = Partition::of_cycle(self, execution.ratio, &execution.motion.shift)?;
+        let cycle = cycle_of_run(self, execution, partition.as_ref())?;
+        if let Some(cycle) = &cycle {
+            self.technology.strokes = cycle.program_strokes();
+        }
+        Ok(cycle)
     }
 }
 

@@ -1,13 +1,18 @@
-//! `[stock]` and `[technology]` of a job: stock on the flanks, limits, times and rates, typed and in mm and s.
+//! `[stock]` and `[technology]` of a job: stock on the flanks, strokes, limits, times and rates, typed and in mm and s.
 
-use crate::job::Job;
+use super::Cycle;
+use crate::job::{CycleRule, FeedDirection, Job, StrokeOfJob, StrokeZone, TechnologyLimits};
+use crate::workflow::programs::Technology;
 use foundation::geometry::{Flank, Sides};
 use generating::GrindingSetup;
-use grinding_technology::{PartTimes, Rates, RunOut, Stock};
+use grinding_technology::{Direction, PartTimes, Rates, RunOut, Stock};
 use job::{Diagnostic, Problem, shown_number};
 use run::RunFailure;
+use std::f64::consts::TAU;
 
 const UM: f64 = 1e-3;
+/// Speeds are equal within this share.
+const ROUNDING: f64 = 1e-9;
 /// Between areas for roughing and finishing where a job gives nothing, mm.
 const ZONE_GAP: f64 = 2.0;
 
@@ -20,11 +25,101 @@ pub struct ShopLimit {
     pub finishing: Option<f64>,
 }
 
+/// Which strokes a part gets.
+#[derive(Clone, Debug)]
+pub enum StrokesWanted {
+    /// Those of `[machine]`.
+    OfMachine,
+    /// By a rule within the limits.
+    Rule(CycleRule),
+    /// Those of the job.
+    Listed(Vec<WantedStroke>),
+}
+
+/// A stroke of the job. mm, s.
+#[derive(Clone, Debug)]
+pub struct WantedStroke {
+    /// Stock left on each flank.
+    pub left: Sides<f64>,
+    /// Feed per workpiece revolution.
+    pub feed_per_revolution: f64,
+    /// At the worm's tip, m/s.
+    pub cutting_speed: f64,
+    /// Sense of the feed.
+    pub direction: Direction,
+    /// Diagonal ratio and shift at z_V2 = 0 where they are not those of the plan.
+    pub ratio: Option<f64>,
+    /// The same.
+    pub origin: Option<f64>,
+    /// Jump from part to part.
+    pub step_per_part: f64,
+    /// Way beyond first and last contact.
+    pub overrun: f64,
+    /// Pause after it.
+    pub dwell: f64,
+    /// Area of the worm.
+    pub zone: Option<StrokeZone>,
+}
+
+/// What bounds the cycles that a rule may choose. mm.
+#[derive(Clone, Copy, Debug)]
+pub struct CycleLimits {
+    /// Height of the feed marks of finishing.
+    pub feed_mark: f64,
+    /// Least and largest feed per workpiece revolution.
+    pub feed: [f64; 2],
+    /// Least and largest depth of finishing.
+    pub finishing: [f64; 2],
+    /// Most roughing strokes.
+    pub most_roughing_strokes: usize,
+}
+
+/// Defaults of [`CycleLimits`].
+const FEED_MARK_UM: f64 = 0.5;
+const FEED: [f64; 2] = [0.02, 1.2];
+const FINISHING_UM: [f64; 2] = [10.0, 50.0];
+const MOST_ROUGHING: u32 = 4;
+
+impl CycleLimits {
+    fn of_job(limits: &TechnologyLimits) -> Self {
+        Self {
+            feed_mark: UM * limits.feed_mark_um.unwrap_or(FEED_MARK_UM),
+            feed: [limits.least_feed.unwrap_or(FEED[0]), limits.largest_feed.unwrap_or(FEED[1])],
+            finishing: [
+                UM * limits.least_finishing_um.unwrap_or(FINISHING_UM[0]),
+                UM * limits.most_finishing_um.unwrap_or(FINISHING_UM[1]),
+            ],
+            most_roughing_strokes: limits.most_roughing_strokes.unwrap_or(MOST_ROUGHING) as usize,
+        }
+    }
+}
+
+/// Speeds that nothing exceeds.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SpeedLimits {
+    /// Periphery of the wheel, m/s.
+    pub wheel: Option<f64>,
+    /// Worm and workpiece, 1/s.
+    pub worm: Option<f64>,
+    /// The same.
+    pub work: Option<f64>,
+}
+
 /// What a job asks beside the flank.
 #[derive(Clone, Debug)]
 pub struct RemovalTask {
     /// On the flanks.
     pub stock: Stock,
+    /// Strokes of a part.
+    pub strokes: StrokesWanted,
+    /// What bounds them where a rule chooses.
+    pub cycle_limits: CycleLimits,
+    /// Height of the feed marks of finishing, where the shop bounds it, mm.
+    pub feed_mark: Option<f64>,
+    /// Speeds.
+    pub speeds: SpeedLimits,
+    /// Of the worm, mm; `None` for one without a stated width.
+    pub worm_width: Option<f64>,
     /// Q'_w, mm^3/(mm s).
     pub rates: ShopLimit,
     /// V'_w between two dressings, mm^3/mm.
@@ -48,7 +143,11 @@ impl RemovalTask {
     ///
     /// # Errors
     /// A finding on `stock.profile` for a diameter below a base circle.
-    pub(super) fn of_job(job: &Job, setup: &GrindingSetup) -> Result<Option<Self>, RunFailure> {
+    pub(super) fn of_job(
+        job: &Job,
+        setup: &GrindingSetup,
+        (cycle, machine): (&Cycle, &Technology),
+    ) -> Result<Option<Self>, RunFailure> {
         let Some(given) = job.stock.as_ref() else { return Ok(None) };
         let base = Flank::BOTH.map(|flank| 2.0 * setup.pair.work.flank(flank).base_radius);
         let least = base[0].max(base[1]);
@@ -71,13 +170,31 @@ impl RemovalTask {
         };
         let technology = job.technology.clone().unwrap_or_default();
         let limits = technology.limits;
+        let step_per_part = technology.step_per_part.unwrap_or(0.0);
+        let tip_radius = setup.largest_tip_radius;
+        let strokes = match strokes_of_job(job, (cycle, machine), (tip_radius, step_per_part)) {
+            Some(listed) => StrokesWanted::Listed(listed),
+            None => rule_of_job(job).map_or(StrokesWanted::OfMachine, StrokesWanted::Rule),
+        };
+        let speeds = SpeedLimits {
+            wheel: limits.wheel_speed_m_per_s,
+            worm: limits.worm_speed_rpm.map(|rpm| rpm / 60.0),
+            work: limits.work_speed_rpm.map(|rpm| rpm / 60.0),
+        };
+        let teeth = f64::from(job.gear.teeth.unsigned_abs());
+        speeds.check(machine, (tip_radius, f64::from(job.worm.threads) / teeth), &strokes)?;
         Ok(Some(Self {
             stock,
+            strokes,
+            cycle_limits: CycleLimits::of_job(&limits),
+            feed_mark: limits.feed_mark_um.map(|um| UM * um),
+            speeds,
+            worm_width: job.worm.width,
             rates: ShopLimit { roughing: limits.Qw_roughing, finishing: limits.Qw_finishing },
             loads: ShopLimit { roughing: limits.Vw_roughing, finishing: limits.Vw_finishing },
             zone_width: limits.zone_width.or(job.worm.width),
             zone_gap: limits.zone_gap.unwrap_or(ZONE_GAP),
-            step_per_part: technology.step_per_part.unwrap_or(0.0),
+            step_per_part,
             times: technology.times.map(|times| PartTimes {
                 load: times.load_s,
                 index: times.index_s,
@@ -93,5 +210,93 @@ impl RemovalTask {
                 dressings_per_dresser: f64::from(cost.dressings_per_dresser),
             }),
         }))
+    }
+}
+
+/// The strokes that a job lists.
+fn strokes_of_job(
+    job: &Job,
+    (cycle, machine): (&Cycle, &Technology),
+    (tip_radius, step_per_part): (f64, f64),
+) -> Option<Vec<WantedStroke>> {
+    let technology = job.technology.as_ref().filter(|technology| !technology.strokes.is_empty())?;
+    let usual = machine.finishing();
+    let stroke = |given: &StrokeOfJob| {
+        let shift = given.shift.unwrap_or_default();
+        WantedStroke {
+            left: given.left_um.sides().map(|_, um| UM * um),
+            feed_per_revolution: given.feed_per_revolution.unwrap_or(usual.feed_per_revolution),
+            cutting_speed: given.cutting_speed_m_per_s.unwrap_or(1e-3 * usual.worm_speed * tip_radius),
+            direction: match given.direction {
+                Some(FeedDirection::Down) => Direction::Down,
+                Some(FeedDirection::Up) | None => Direction::Up,
+            },
+            ratio: shift.ratio,
+            origin: shift.origin,
+            step_per_part: shift.step_per_part.unwrap_or(step_per_part),
+            overrun: given.overrun.unwrap_or(cycle.overrun),
+            dwell: given.dwell_s.unwrap_or(0.0),
+            zone: given.zone,
+        }
+    };
+    Some(technology.strokes.iter().map(stroke).collect())
+}
+
+/// By which rule strokes are chosen that a job does not list.
+fn rule_of_job(job: &Job) -> Option<CycleRule> {
+    let technology = job.technology.as_ref()?;
+    let limited = technology.limits.Qw_roughing.is_some() && technology.limits.Qw_finishing.is_some();
+    let machine = job.machine.as_ref();
+    let said = machine.is_some_and(|machine| !machine.roughing_stock_um.is_empty() || machine.spark_out > 0)
+        || job.grinding.feed_per_revolution.is_some();
+    technology.cycle.or((limited && !said).then_some(CycleRule::Standard))
+}
+
+impl SpeedLimits {
+    /// Speeds of the job against its limits.
+    fn check(
+        &self,
+        machine: &Technology,
+        (tip_radius, work_per_worm): (f64, f64),
+        strokes: &StrokesWanted,
+    ) -> Result<(), RunFailure> {
+        let mut found: Vec<(String, f64)> = match strokes {
+            StrokesWanted::Listed(strokes) => {
+                let key = |k: usize| format!("technology.strokes[{k}].cutting_speed_m_per_s");
+                strokes.iter().enumerate().map(|(k, stroke)| (key(k), stroke.cutting_speed)).collect()
+            }
+            StrokesWanted::OfMachine | StrokesWanted::Rule(_) => {
+                vec![("machine.cutting_speed_m_per_s".into(), 1e-3 * machine.worm_speed() * tip_radius)]
+            }
+        };
+        let dressing = 1e-3 * machine.dressing_speed * tip_radius;
+        found.push(("machine.dressing_worm_speed_rpm".into(), dressing));
+        let last = found.len() - 1;
+        for (k, (field, speed)) in found.into_iter().enumerate() {
+            let worm = 1e3 * speed / (TAU * tip_radius);
+            // While it is dressed no workpiece turns with the worm.
+            let work = self.work.filter(|_| k < last).map(|limit| limit / work_per_worm);
+            let shown = |per_second: f64| format!("{} 1/min", shown_number((6e4 * per_second).round() / 1e3));
+            let limits = [
+                (self.wheel, "technology.limits.wheel_speed_m_per_s", speed, false),
+                (self.worm, "technology.limits.worm_speed_rpm", worm, true),
+                (work, "technology.limits.work_speed_rpm", worm, true),
+            ];
+            for (limit, key, value, of_spindle) in limits {
+                let Some(limit) = limit.filter(|limit| value > limit * (1.0 + ROUNDING)) else { continue };
+                let most = if of_spindle { 1e-3 * TAU * tip_radius * limit } else { limit };
+                let finding = Diagnostic::new(Problem::InvalidNumber, format!("faster than {key} allows"))
+                    .field(field.clone())
+                    .value(if k < last { format!("{} m/s", shown_number(speed)) } else { shown(worm) })
+                    .allowed(if k < last {
+                        format!("up to {} m/s", shown_number((most * 1e3).floor() / 1e3))
+                    } else {
+                        format!("up to {}", shown(1e3 * most / (TAU * tip_radius)))
+                    })
+                    .way_out("lower the speed, or raise the limit if wheel and spindle allow it");
+                return Err(RunFailure::bad_input(finding));
+            }
+        }
+        Ok(())
     }
 }

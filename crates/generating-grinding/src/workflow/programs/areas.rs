@@ -255,7 +255,8 @@ impl ProgramAreas {
             let mounts = &sought.technology.grinding;
             let strokes = tracked.grinding(sought.machine, mounts, &work.motion, work.phase)?;
             for stroke in &strokes {
-                self.touches(stroke, work, &sought.technology.roughing, &mut uses, &mut faults);
+                let least = sought.technology.least_roughing();
+                self.touches(stroke, work, least, &mut uses, &mut faults);
             }
         }
         let finishing = |used: &&WormUse| used.kind == AreaUse::Finishing;
@@ -278,11 +279,10 @@ impl ProgramAreas {
         &self,
         stroke: &ReadStroke<GeneratingMotion>,
         work: &GrindingWork,
-        stock: &[f64],
+        least: f64,
         uses: &mut Vec<WormUse>,
         faults: &mut Vec<Remark>,
     ) {
-        let least = stock.iter().copied().fold(f64::INFINITY, f64::min);
         let middle = 0.5 * (work.feeds[0] + work.feeds[1]);
         let stands_off =
             (stroke.motion.delta_d.value(middle) - work.motion.delta_d.value(middle)) * work.per_distance;

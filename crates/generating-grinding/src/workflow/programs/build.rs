@@ -1,11 +1,14 @@
 //! From the motions of a run to programs: the passes, laid out for every control, written and read back.
 
+use super::grinding_stroke::{GrindingStroke, StrokeLaw};
 use super::lines::LineWork;
 use super::task::ProgramTask;
 use super::technology::Technology;
 use super::work::{DressingWork, GrindingWork};
+use contact::StandOff;
 use foundation::geometry::Flank;
 use foundation::kinematics::{Dresser, MotionLaw, Workpiece};
+use grinding_technology::Direction;
 use job::Diagnostic;
 use job::machine::{Control, ControlCoupling};
 use machine::{Positions, Station};
@@ -247,23 +250,22 @@ impl ProgramTask<'_> {
                 .iter()
                 .map(|&offset| self.indexing.with_offset(&work, offset))
                 .collect();
-            for (k, stock) in technology.roughing.iter().enumerate() {
-                let shift = technology.roughing_shift.get(k % technology.roughing_shift.len().max(1));
+            let (mut roughed, mut finished) = (0, false);
+            for stroke in &technology.strokes {
+                let area = technology.roughing_shift.get(roughed % technology.roughing_shift.len().max(1));
+                let shift = match &stroke.shift {
+                    StrokeLaw::Own(law) => Some(law),
+                    StrokeLaw::Planned if stroke.finishes() => None,
+                    StrokeLaw::Planned => area,
+                };
+                let name = stroke.name(finished);
+                if stroke.finishes() {
+                    finished = true;
+                } else {
+                    roughed += 1;
+                }
                 passes.extend(indexed.iter().map(|work| {
-                    let name = format!("{} ROUGHING STOCK {}", work.name, in_words(stock * 1e3, "um"));
-                    grinding_pass(work, technology, name, *stock, shift)
-                }));
-            }
-            passes.extend(
-                indexed.iter().map(|work| {
-                    grinding_pass(work, technology, format!("{} FINISHING", work.name), 0.0, None)
-                }),
-            );
-            if technology.spark_out > 0 {
-                passes.extend(indexed.iter().map(|work| {
-                    let name = format!("{} SPARK OUT", work.name);
-                    let times = technology.spark_out;
-                    Pass { times, ..grinding_pass(work, technology, name, 0.0, None) }
+                    grinding_pass(work, technology, (stroke, shift), format!("{} {name}", work.name))
                 }));
             }
         }
@@ -303,46 +305,61 @@ fn dressing_pass(work: &DressingWork, technology: &Technology, name: String, sto
         room: [room(-from).max(clear[0]), room(to).max(clear[1])],
         speed: screw * technology.dressing_speed,
         clearance: technology.clearance,
-        times: 1,
+        dwell: 0.0,
     }
 }
 
-/// One grinding pass that leaves some stock on the flank, mm; `shift`: z_V1 in an area of the worm that is not the finishing one.
+/// One grinding pass; `shift`: z_V1 where it is not that of the plan.
 fn grinding_pass(
     work: &GrindingWork,
     technology: &Technology,
+    (stroke, shift): (&GrindingStroke, Option<&MotionLaw>),
     name: String,
-    stock: f64,
-    shift: Option<&MotionLaw>,
 ) -> Pass {
     let mut motion = work.motion.clone();
-    if stock > 0.0 {
-        motion.delta_d = motion.delta_d.raised(stock / work.per_distance);
+    let infeed = StandOff::of_ground(work.levers, stroke.left);
+    if infeed.delta_d != 0.0 {
+        motion.delta_d = motion.delta_d.raised(infeed.delta_d);
+    }
+    if infeed.delta_phi_2 != 0.0 {
+        motion.delta_phi_2 = motion.delta_phi_2.raised(infeed.delta_phi_2);
     }
     if let Some(shift) = shift {
         motion.shift = shift.clone();
     }
     // One revolution of the workpiece takes z_2/z_1 of the worm.
     let worm_per_turn = motion.teeth.abs() / motion.threads;
-    let speed = technology.feed_per_revolution * technology.worm_speed / (TAU * worm_per_turn);
-    let turning = technology.worm_speed / speed;
-    let [from, to] = work.feeds;
+    let speed = stroke.feed_per_revolution * stroke.worm_speed / (TAU * worm_per_turn);
+    let sigma = stroke.direction.sign();
     let course = Course::Grinding(GrindingCourse {
         motion,
         phase: work.phase,
-        feeds: [from, to],
-        turning,
+        feeds: work.feeds,
+        // The worm turns one way, whichever way the feed goes.
+        turning: sigma * stroke.worm_speed / speed,
         mounts: technology.grinding,
         per_turn: work.per_turn,
         per_distance: work.per_distance,
     });
-    let room = technology.cylinders.map_or([0.0; 2], |cylinders| {
+    let [low, high] = work.feeds;
+    let range = match (stroke.contact, stroke.direction) {
+        (Some(contact), _) => {
+            let [first, last] = contact.feeds;
+            [first - sigma * contact.overrun, last + sigma * contact.overrun]
+        }
+        (None, Direction::Up) => [low, high],
+        (None, Direction::Down) => [high, low],
+    };
+    // Where the stock is known the worm comes in and goes out beside it, its threads in the spaces; else clear of the blank.
+    let clear = technology.cylinders.filter(|_| stroke.contact.is_none());
+    let room = clear.map_or([0.0; 2], |cylinders| {
         [
-            cylinders.run_out::<Workpiece>(&course, from, -1.0),
-            cylinders.run_out::<Workpiece>(&course, to, 1.0),
+            cylinders.run_out::<Workpiece>(&course, range[0], -sigma),
+            cylinders.run_out::<Workpiece>(&course, range[1], sigma),
         ]
     });
-    Pass { name, course, range: [from, to], room, speed, clearance: technology.clearance, times: 1 }
+    let clearance = technology.clearance;
+    Pass { name, course, range, room, speed, clearance, dwell: stroke.dwell }
 }
 
 /// [A-Z0-9_]{1,24} of the job's name and D or G, with the number of the area where there are several, or the letter of the flank of lines.

@@ -2,10 +2,11 @@
 
 use super::build::Built;
 use super::cylinders::{CLEARANCE, Cylinders};
+use super::mesh::Mesh;
 use super::result::ClearanceResult;
 use super::surroundings::{self, Surroundings};
 use super::task::ProgramTask;
-use foundation::kinematics::{Dresser, Workpiece};
+use foundation::kinematics::{Dresser, Pose, Workpiece, Worm};
 use job::Diagnostic;
 use machine::{Machine, Mounts, Station};
 use motion::{MotionError, Tracked, track};
@@ -16,17 +17,23 @@ use verdict::Remark;
 
 /// What places of the blank and of a text may be off, mm: chords of its circle and of its length, digits of the control.
 const SAMPLED: f64 = 0.05;
+/// What the check says of strokes that begin beside the stock.
+const IN_SPACES: &str = "; where the worm comes in and goes out over the blank its threads stand in the tooth spaces, beside the stock that [stock] states";
+
 /// Least distance of two bodies beside the strokes of a program, and where it is too small.
 #[derive(Debug, Default)]
 pub struct Beside {
-    /// Least distance, mm; infinite where the program does nothing beside its strokes.
+    /// Least distance, mm, but for places in the tooth spaces; infinite where the program does nothing beside its strokes.
     pub least: f64,
+    /// Whether the threads stand in the tooth spaces somewhere.
+    pub in_spaces: bool,
     /// Places with less than is kept, one for each block.
     pub faults: Vec<Remark>,
 }
 
 /// Follows a program wherever no stroke grinds or dresses: approach, infeed, retraction, rapid moves, and the first and the last place of
-/// every stroke. `strokes`: first and last block of each, from 1.
+/// every stroke. `strokes`: first and last block of each, from 1. `in_spaces`: whether bodies that overlap at a place of a block stand in each
+/// other's spaces.
 ///
 /// # Errors
 /// [`MotionError`]: axes without a pose.
@@ -35,12 +42,18 @@ pub fn beside<Body: 'static>(
     (machine, station, mounts): (&Machine, Station, &Mounts),
     strokes: &[[usize; 2]],
     (cylinders, body, kept): (&Cylinders, &str, f64),
+    in_spaces: impl Fn(usize, &Pose<Worm, Body>) -> bool,
 ) -> Result<Beside, MotionError> {
-    let mut found = Beside { least: f64::INFINITY, faults: Vec::new() };
+    let mut found = Beside { least: f64::INFINITY, in_spaces: false, faults: Vec::new() };
     let mut last = 0;
     for (block, positions) in tracked.beside(machine, strokes) {
         let pose = machine.pose(station, &positions)?;
-        let gap = cylinders.gap::<Body>(&mounts.bodies(&pose));
+        let bodies: Pose<Worm, Body> = mounts.bodies(&pose);
+        let gap = cylinders.gap::<Body>(&bodies);
+        if gap < kept - SAMPLED && in_spaces(block, &bodies) {
+            found.in_spaces = true;
+            continue;
+        }
         found.least = found.least.min(gap);
         if gap < kept - SAMPLED && block != last {
             last = block;
@@ -62,6 +75,7 @@ pub fn check(task: &ProgramTask<'_>, built: &Built) -> Result<Option<ClearanceRe
     let machine = &task.machine.machine;
     let technology = &task.technology;
     let mut least = f64::INFINITY;
+    let mut in_spaces = false;
     let mut checked = BTreeSet::new();
     for program in &built.programs {
         let refused = |error: MotionError| {
@@ -79,7 +93,11 @@ pub fn check(task: &ProgramTask<'_>, built: &Built) -> Result<Option<ClearanceRe
                 let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
                 let of = (machine, Station::Work, mounts);
                 checked.insert("workpiece");
-                beside::<Workpiece>(&tracked, of, &blocks, (cylinders, "blank", CLEARANCE))
+                let mesh = Mesh::new(&tracked, &blocks, (work, &technology.strokes, &task.indexing));
+                let clear = |block: usize, bodies: &Pose<Worm, Workpiece>| {
+                    mesh.as_ref().is_some_and(|mesh| mesh.is_clear(block, bodies))
+                };
+                beside::<Workpiece>(&tracked, of, &blocks, (cylinders, "blank", CLEARANCE), clear)
             }
             Station::Dresser => {
                 let (Some(cylinders), Some(work)) = (&technology.dresser, task.dressing.first()) else {
@@ -90,11 +108,12 @@ pub fn check(task: &ProgramTask<'_>, built: &Built) -> Result<Option<ClearanceRe
                 let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
                 let of = (machine, Station::Dresser, mounts);
                 checked.insert("dresser");
-                beside::<Dresser>(&tracked, of, &blocks, (cylinders, "dresser", CLEARANCE))
+                beside::<Dresser>(&tracked, of, &blocks, (cylinders, "dresser", CLEARANCE), |_, _| false)
             }
         };
         let found = found.map_err(refused)?;
         least = least.min(found.least);
+        in_spaces |= found.in_spaces;
         if let Some(fault) = found.faults.first() {
             let finding = Diagnostic::with_code(fault.code, format!("{}, {}", program.file, fault.text));
             let way_out = format!("{}; nothing was written", fault.way_out);
@@ -111,8 +130,9 @@ pub fn check(task: &ProgramTask<'_>, built: &Built) -> Result<Option<ClearanceRe
     let bodies: Vec<&'static str> = std::iter::once("worm").chain(checked).collect();
     Ok(least.is_finite().then(|| ClearanceResult {
         statement: format!(
-            "from the program text: {} stay {least:.3} mm or more apart at the ends of the strokes, in approach, retraction and rapid moves ({CLEARANCE} mm are kept){}; not checked: {}",
+            "from the program text: {} stay {least:.3} mm or more apart at the ends of the strokes, in approach, retraction and rapid moves ({CLEARANCE} mm are kept){}{}; not checked: {}",
             bodies.join(", "),
+            if in_spaces { IN_SPACES } else { "" },
             clear_of(&around_worm, around.kept()),
             if not_checked.is_empty() { "the first move of a program".to_owned() } else { not_checked.join(", ") }
         ),

@@ -5,10 +5,11 @@ use super::clearance;
 use super::cylinders::CLEARANCE;
 use super::indexing::{Found, shown_blocks};
 use super::judge::{Judge, ReadBack, RunFlank};
+use super::mesh::Mesh;
 use super::single_blocks::{jumps_of_dressing, jumps_of_grinding};
 use super::sought::{Sought, nearest};
 use foundation::geometry::Sides;
-use foundation::kinematics::{Dresser, Workpiece};
+use foundation::kinematics::{Dresser, Pose, Workpiece, Worm};
 use machine::{Role, Station};
 use metrology::Topography;
 use motion::{MotionError, ReadStroke, Tracked};
@@ -99,8 +100,13 @@ pub fn follow(
         if let Some(cylinders) = &sought.technology.cylinders {
             let of = (sought.machine, Station::Work, &sought.technology.grinding);
             let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
-            let beside =
-                clearance::beside::<Workpiece>(tracked, of, &blocks, (cylinders, "blank", CLEARANCE));
+            let strokes_of_job = &sought.technology.strokes;
+            let mesh = Mesh::new(tracked, &blocks, (sought.grinding[0], strokes_of_job, sought.indexing));
+            let clear = |block: usize, bodies: &Pose<Worm, Workpiece>| {
+                mesh.as_ref().is_some_and(|mesh| mesh.is_clear(block, bodies))
+            };
+            let blank = (cylinders, "blank", CLEARANCE);
+            let beside = clearance::beside::<Workpiece>(tracked, of, &blocks, blank, clear);
             faults.extend(beside.map_err(refused)?.faults);
         }
         faults.extend(jumps_of_grinding(&sought.grinding, &found.served, tolerance_um));
@@ -148,8 +154,8 @@ pub fn follow(
         if let Some(cylinders) = &sought.technology.dresser {
             let of = (sought.machine, Station::Dresser, &sought.technology.dressing);
             let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
-            let beside =
-                clearance::beside::<Dresser>(tracked, of, &blocks, (cylinders, "dresser", CLEARANCE));
+            let disc = (cylinders, "dresser", CLEARANCE);
+            let beside = clearance::beside::<Dresser>(tracked, of, &blocks, disc, |_, _| false);
             faults.extend(beside.map_err(refused)?.faults);
         }
     }

@@ -15,7 +15,7 @@ use crate::workflow::execution::{ExecutedTool, Execution};
 use crate::workflow::line_dressing::WrittenFlank;
 use crate::workflow::prepare::Prepared;
 use crate::workflow::referee::{self, Cutting, Verdict};
-use contact::ToolSurface;
+use contact::{Lever, ToolSurface};
 use dressing::{DressedWorm, DresserTool};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::{DressingMotion, Point, Pose, Worm};
@@ -171,7 +171,8 @@ pub fn programs_of_grinding(
     let task = strokes.task(&prepared.info.name, (machine, &dialects), written);
     let flanks = flanks_of(execution, verdicts);
     let judge = Referee { prepared, execution, cutting, strokes: &strokes };
-    let feed_given = prepared.cycle.feed_per_revolution.is_some();
+    let feed_given =
+        prepared.cycle.feed_per_revolution.is_some() || prepared.technology.finishing().contact.is_some();
     let mut programs = RunPrograms::new(&task, feed_given, &flanks, &judge)?;
     if let Some((areas, driven)) = &strokes.areas {
         programs.result.worm_use = areas.check(&task, &programs.built, driven)?;
@@ -319,10 +320,11 @@ fn grinding_work(prepared: &Prepared, execution: &Execution) -> Vec<(GrindingWor
             };
             let largest =
                 |f: &dyn Fn(Flank) -> f64| flanks.iter().map(|&flank| f(flank).abs()).fold(0.0, f64::max);
-            let per_turn = largest(&|flank| {
+            let lever = |flank: Flank| {
                 let f = setup.pair.work.flank(flank);
                 f.base_radius * f.base_helix_angle.cos()
-            });
+            };
+            let per_turn = largest(&lever);
             let work = GrindingWork {
                 name,
                 motion: execution.motion.clone(),
@@ -330,6 +332,10 @@ fn grinding_work(prepared: &Prepared, execution: &Execution) -> Vec<(GrindingWor
                 feeds: execution.feed_range,
                 per_turn,
                 per_distance: largest(&|flank| setup.lines[flank].sin_an),
+                levers: Sides::from_fn(|flank| {
+                    let sine = setup.lines[flank].sin_an.abs();
+                    flanks.contains(&flank).then(|| Lever { sine, arm: lever(flank) })
+                }),
             };
             (work, flanks)
         })

@@ -28,6 +28,10 @@ impl OnGrinding {
     /// Those of the run.
     pub fn new(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Self, RunFailure> {
         let run = run_without_programs(loaded, progress)?;
+        // Strokes that a rule chooses depend on the machine.
+        let mut prepared = run.prepared.on_machine(loaded)?;
+        prepared.put_on_stock(&run.execution)?;
+        let run = Outcome { prepared, ..run };
         let strokes = Strokes::new(&run.prepared, &run.execution)?;
         Ok(Self { run, strokes })
     }

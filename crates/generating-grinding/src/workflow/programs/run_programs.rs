@@ -48,7 +48,7 @@ impl RunPrograms {
                 code: "feed-by-default",
                 text: format!(
                     "the programs feed {} mm per revolution of the gear",
-                    task.technology.feed_per_revolution
+                    task.technology.finishing().feed_per_revolution
                 ),
                 way_out: "give grinding.feed_per_revolution".into(),
             });

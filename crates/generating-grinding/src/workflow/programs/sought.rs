@@ -171,7 +171,7 @@ impl<'a> Sought<'a> {
         let Some(worm) = self.machine.role(Role::Worm) else { return Vec::new() };
         let technology = self.technology;
         let (given, what) = match station {
-            Station::Work => (technology.worm_speed, "machine.cutting_speed_m_per_s"),
+            Station::Work => (technology.worm_speed(), "machine.cutting_speed_m_per_s"),
             Station::Dresser => {
                 (technology.dressing_speed * DRESSING_TURNS, "machine.dressing_worm_speed_rpm")
             }

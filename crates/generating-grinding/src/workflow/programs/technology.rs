@@ -1,6 +1,7 @@
 //! How fast a machine works and how the bodies are clamped in it, as a job says.
 
 use super::cylinders::Cylinders;
+use super::grinding_stroke::GrindingStroke;
 use foundation::kinematics::MotionLaw;
 use generating::GrindingSetup;
 use job::tables::{BODY_CLEARANCE, Clamping, ClampingBody, Machine as JobMachine};
@@ -16,20 +17,14 @@ pub struct Technology {
     pub dressing: Mounts,
     /// Angle of the dresser's swivel, rad.
     pub swivel: f64,
-    /// Speed of the worm while it grinds, rad/s.
-    pub worm_speed: f64,
     /// Speed of the worm while it is dressed, rad/s.
     pub dressing_speed: f64,
     /// Speed of the dresser, rad/s.
     pub dresser_speed: f64,
-    /// Feed z_V2 per revolution of the workpiece, mm.
-    pub feed_per_revolution: f64,
     /// How far the worm stands off, mm.
     pub clearance: f64,
-    /// Stock of the roughing strokes, mm, falling.
-    pub roughing: Vec<f64>,
-    /// Strokes without infeed.
-    pub spark_out: usize,
+    /// Strokes of a grinding pass in driving order, at least one; the last one finishes or sparks out.
+    pub strokes: Vec<GrindingStroke>,
     /// Stock of the dressing strokes before the last, mm, falling.
     pub dressing_stock: Vec<f64>,
     /// Way before and behind a dressing stroke to leave the worm, mm, for ends of the working part at a distance from the worm's
@@ -53,6 +48,8 @@ const DRESSING_WORM_SPEED: f64 = 60.0;
 const DRESSER_SPEED: f64 = 4000.0;
 const CLEARANCE: f64 = 15.0;
 const FEED_PER_REVOLUTION: f64 = 0.3;
+/// How much further the worm stands off than it reaches into the blank, mm.
+const BEYOND_DEPTH: f64 = 2.0;
 /// The dresser reaches beyond its middle by this many modules of the worm.
 const DRESSER_REACH: f64 = 1.5;
 
@@ -68,7 +65,14 @@ impl Technology {
             radius: 0.5 * blank.tip_diameter,
             half_width: 0.5 * blank.face_width,
         };
-        Self { cylinders: Some(cylinders), ..Self::new(job, sizes, feed_per_revolution) }
+        let own = Self::new(job, sizes, feed_per_revolution);
+        // The worm that comes in with its threads in the tooth spaces stands off clear of the blank.
+        let depth = cylinders.worm_radius + cylinders.radius - setup.pair.chain.centre_distance;
+        let clearance = match job.clearance {
+            Some(given) => given,
+            None => own.clearance.max(depth + BEYOND_DEPTH),
+        };
+        Self { cylinders: Some(cylinders), clearance, ..own }
     }
 
     /// With the dresser of this tip radius as a disc of its reach, for a worm with a stated width.
@@ -93,19 +97,20 @@ impl Technology {
             Mount { reversed, axial: clamping.axial, angle: clamping.angle_deg.to_radians() }
         };
         let worm = mount(job.worm, false);
-        let um = |list: &[f64]| list.iter().map(|x| x * 1e-3).collect();
+        let um = |list: &[f64]| list.iter().map(|x| x * 1e-3).collect::<Vec<f64>>();
+        let worm_speed = job.cutting_speed_m_per_s.unwrap_or(CUTTING_SPEED) * 1e3 / tip_radius;
+        let feed = feed_per_revolution.unwrap_or(FEED_PER_REVOLUTION);
+        let finishing = (0..=job.spark_out).map(|_| 0.0);
+        let left = um(&job.roughing_stock_um).into_iter().chain(finishing);
         Self {
             // |A1| < 90 deg is possible only if r_1 r_2 = -h, and r_A = r_1 (`docs/mathematics/generating-contact.md#machine-chains`).
             grinding: Mounts { tool: worm, counterpart: mount(job.work, hand > 0.0) },
             dressing: Mounts { tool: worm, counterpart: mount(job.dresser, false) },
             swivel: job.swivel_deg.unwrap_or(0.0).to_radians(),
-            worm_speed: job.cutting_speed_m_per_s.unwrap_or(CUTTING_SPEED) * 1e3 / tip_radius,
             dressing_speed: job.dressing_worm_speed_rpm.unwrap_or(DRESSING_WORM_SPEED) * rpm,
             dresser_speed: job.dresser_speed_rpm.unwrap_or(DRESSER_SPEED) * rpm,
-            feed_per_revolution: feed_per_revolution.unwrap_or(FEED_PER_REVOLUTION),
             clearance: job.clearance.unwrap_or(CLEARANCE),
-            roughing: um(&job.roughing_stock_um),
-            spark_out: job.spark_out as usize,
+            strokes: left.map(|left| GrindingStroke::up(left, worm_speed, feed)).collect(),
             dressing_stock: um(&job.dressing_stock_um),
             worm_end: width.map(|width| 0.5 * width + DRESSER_REACH * module),
             roughing_shift: Vec::new(),
@@ -114,5 +119,21 @@ impl Technology {
             clamping: job.clamping.clone(),
             body_clearance: job.body_clearance.unwrap_or(BODY_CLEARANCE),
         }
+    }
+    /// The stroke that makes the flank.
+    pub fn finishing(&self) -> &GrindingStroke {
+        let last = self.strokes.len().saturating_sub(1);
+        &self.strokes[self.strokes.iter().position(GrindingStroke::finishes).unwrap_or(last)]
+    }
+
+    /// Greatest speed of the worm in any stroke, rad/s.
+    pub fn worm_speed(&self) -> f64 {
+        self.strokes.iter().map(|stroke| stroke.worm_speed).fold(0.0, f64::max)
+    }
+
+    /// The least stock that a roughing stroke leaves, mm; infinite without one.
+    pub fn least_roughing(&self) -> f64 {
+        let left = self.strokes.iter().map(|stroke| stroke.left.left.max(stroke.left.right));
+        left.filter(|left| *left > 0.0).fold(f64::INFINITY, f64::min)
     }
 }

@@ -1,5 +1,7 @@
 //! The strokes of a run as work for a machine.
 
+use contact::Lever;
+use foundation::geometry::Sides;
 use foundation::kinematics::{DressingMotion, GeneratingMotion};
 use nalgebra::Vector3;
 
@@ -33,4 +35,6 @@ pub struct GrindingWork {
     pub per_turn: f64,
     /// Largest sin(alpha_n) of its flanks.
     pub per_distance: f64,
+    /// Of each flank that it grinds.
+    pub levers: Sides<Option<Lever>>,
 }

@@ -49,7 +49,7 @@ const DECADES: f64 = 50.0;
 impl Evidence {
     /// Goes the way of planning again. A job whose bodies cannot even be put together shows none.
     pub fn of_job(loaded: &LoadedJob, finding: &Diagnostic) -> Option<Self> {
-        let prepared = prepare(loaded).and_then(|prepared| prepared.on_machine(loaded)).ok()?;
+        let mut prepared = prepare(loaded).and_then(|prepared| prepared.on_machine(loaded)).ok()?;
         let (execution, candidates, failed) = match GivenSettings::of_job(loaded, &prepared).ok()? {
             // Settings were run, nothing was chosen.
             Some(settings) => (Execution::of_settings(&prepared, &settings).ok(), Vec::new(), Vec::new()),
@@ -62,7 +62,10 @@ impl Evidence {
             },
         };
         let beyond = match execution.filter(|_| finding.code == "axis-limit" && is_of_machine(finding)) {
-            Some(execution) => beyond_travel_of_grinding(&prepared, &execution),
+            Some(execution) => {
+                prepared.put_on_stock(&execution).ok()?;
+                beyond_travel_of_grinding(&prepared, &execution)
+            }
             None => Vec::new(),
         };
         let tolerance_um = prepared.tolerance.tightest() * 1e3;

@@ -1,6 +1,8 @@
 //! What `result.json` says of stock, removal, worm, time and cost.
 
+use super::offers::CycleOffers;
 use foundation::geometry::Sides;
+use grinding_technology::{Optimum, OptimumRow};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -11,6 +13,9 @@ pub struct RemovalResult {
     pub stock: StockResult,
     /// In driving order.
     pub strokes: Vec<StrokeResult>,
+    /// Cycles within the limits; absent without `technology.limits.Qw_roughing` and `Qw_finishing`, and where none keeps them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cycles: Option<CyclesResult>,
     /// The worm's load; absent without `technology.limits.Vw_finishing`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub worm_load: Option<WormLoadResult>,
@@ -38,13 +43,108 @@ pub struct StockResult {
     pub least_um: Sides<f64>,
 }
 
+/// How much of a limit is used.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct LimitShare {
+    /// Key of the limit.
+    pub limit: &'static str,
+    /// Figure over limit; of feed marks the feed over the one that they allow.
+    pub share: f64,
+}
+
+/// Cycles within the limits, for the largest stock on both flanks.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct CyclesResult {
+    /// The stock that they are made for.
+    pub stock_um: f64,
+    /// Whether the limits of the machine's axes are in the times.
+    pub on_machine: bool,
+    /// Whether the share of dressing is in the times.
+    pub with_dressing: bool,
+    /// By the rule of thumb.
+    pub standard: CycleResult,
+    /// The fastest.
+    pub fastest: CycleResult,
+    /// The fastest for each number of roughing strokes from 0; absent where none keeps the limits.
+    pub by_roughing_strokes: Vec<Option<CycleResult>>,
+    /// The fastest with both limits of Q'_w multiplied by a factor.
+    pub by_load: Vec<CycleResult>,
+}
+
+/// Roughing strokes of equal depth and one finishing stroke.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, JsonSchema)]
+pub struct CycleResult {
+    /// Factor on both limits of Q'_w.
+    pub limit_factor: f64,
+    /// Roughing strokes.
+    pub roughing_strokes: usize,
+    /// Depth of the finishing stroke.
+    pub finishing_um: f64,
+    /// Feed per revolution of the workpiece of roughing, 0 without, and of finishing.
+    pub feed_per_revolution_mm: [f64; 2],
+    /// Largest Q'_w of roughing, 0 without, and of finishing.
+    pub specific_rate_mm3_per_mm_s: [f64; 2],
+    /// Height of the feed marks of finishing.
+    pub feed_mark_um: f64,
+    /// Time of a part.
+    pub part_s: f64,
+    /// Parts between two dressings if the width is used at its best; absent where the job does not bound the worm's load.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub parts_per_dressing: Option<f64>,
+}
+
+impl CyclesResult {
+    /// Of cycles within the limits.
+    pub(super) fn of(offers: &CycleOffers) -> Self {
+        let row = |row: &OptimumRow| {
+            let cycle = row.cycle?;
+            Some(CycleResult {
+                limit_factor: row.limit_factor,
+                roughing_strokes: row.roughing_strokes,
+                finishing_um: 1e3 * cycle.finishing,
+                feed_per_revolution_mm: cycle.feeds,
+                specific_rate_mm3_per_mm_s: cycle.rates,
+                feed_mark_um: 1e3 * cycle.feed_mark,
+                part_s: cycle.time,
+                parts_per_dressing: offers.with_dressing.then_some(cycle.parts),
+            })
+        };
+        let Optimum { best, standard, by_roughing_strokes, pareto } = &offers.optimum;
+        let fastest = row(best).unwrap_or_default();
+        Self {
+            stock_um: 1e3 * offers.stock,
+            on_machine: offers.on_machine,
+            with_dressing: offers.with_dressing,
+            standard: row(standard).unwrap_or(fastest),
+            fastest,
+            by_roughing_strokes: by_roughing_strokes.iter().map(row).collect(),
+            by_load: pareto.iter().filter_map(row).collect(),
+        }
+    }
+}
+
 /// One stroke.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StrokeResult {
     /// "roughing", "finishing" or "spark-out", which takes nothing.
     pub stage: &'static str,
-    /// Stock that it leaves, normal.
-    pub left_um: f64,
+    /// Stock that it leaves on each flank, normal.
+    pub left_um: Sides<f64>,
+    /// Of the worm's tip.
+    pub cutting_speed_m_per_s: f64,
+    /// Feed per revolution of the workpiece.
+    pub feed_per_revolution_mm: f64,
+    /// "up" for a feed z_V2 that rises, "down".
+    pub direction: &'static str,
+    /// Area of the worm: "all", "roughing" or "finishing".
+    pub zone: String,
+    /// Pause after it.
+    pub dwell_s: f64,
+    /// Largest height of the feed marks.
+    pub feed_mark_um: f64,
+    /// The limit that it comes nearest to; absent where it takes nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub nearest_limit: Option<LimitShare>,
     /// Diagonal ratio.
     pub diagonal_ratio: f64,
     /// Added to the centre distance.
@@ -128,6 +228,9 @@ pub struct WormLifeResult {
 pub struct PartTimeResult {
     /// All grinding programs.
     pub grinding_s: f64,
+    /// The same by the law of moves from rest to rest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub grinding_by_law_s: Option<f64>,
     /// All dressing programs.
     pub dressing_s: f64,
     /// Share of dressing in a part.

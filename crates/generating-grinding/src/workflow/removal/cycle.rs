@@ -1,0 +1,236 @@
+//! The strokes of a run on its stock: those of the job, by the rule of thumb, or the fastest within the limits.
+
+use super::offers::CycleOffers;
+use crate::job::{CycleRule, StrokeZone};
+use crate::workflow::execution::Execution;
+use crate::workflow::partition::Partition;
+use crate::workflow::prepare::{Prepared, RemovalTask, StrokesWanted, WantedStroke};
+use crate::workflow::programs::{GrindingStroke, StockContact, StrokeLaw};
+use foundation::geometry::{Flank, Sides};
+use foundation::kinematics::MotionLaw;
+use grinding_technology::{
+    BestCycle, Bodies, Cycle, Direction, Shift, StockField, Stroke, StrokeFigures, TechnologyError,
+};
+
+/// A shift within this of a straight line over the stroke is one, mm.
+const STRAIGHT: f64 = 1e-6;
+/// Feeds of a chosen cycle are whole multiples of this, mm per revolution.
+const FEED_STEP: f64 = 1e-3;
+
+/// Strokes of a run with what they do.
+#[derive(Clone, Debug)]
+pub struct RunCycle {
+    /// The strokes on the stock.
+    pub cycle: Cycle,
+    /// Cycles within the limits, where the job has some.
+    pub offers: Option<CycleOffers>,
+    /// Whether a stroke shifts by a law of its own.
+    own_shift: Vec<bool>,
+}
+
+/// Why strokes are not worked out.
+pub fn beyond(prepared: &Prepared, execution: &Execution) -> Option<&'static str> {
+    let setup = &prepared.setup;
+    let phase = &execution.motion.phase;
+    if !(setup.pair.worm.is_cylindrical() && setup.pair.work.is_cylindrical()) {
+        Some("a body is conical")
+    } else if Flank::BOTH.iter().any(|&flank| execution.flanks[flank].is_none()) {
+        Some("one flank is ground by itself")
+    } else if phase.left != phase.right {
+        Some("the flanks are ground one after the other")
+    } else if shift_of(execution).is_none() {
+        Some("the shift of the worm is not proportional to the feed")
+    } else if prepared.cycle.strokes.is_some() {
+        Some("some threads of the worm do not grind")
+    } else {
+        None
+    }
+}
+
+/// The finishing stroke's shift, where it is straight over the stroke.
+fn shift_of(execution: &Execution) -> Option<Shift> {
+    straight(&execution.motion.shift, execution.feed_range)
+}
+
+/// A law that is straight over a range of the feed.
+fn straight(law: &MotionLaw, [from, to]: [f64; 2]) -> Option<Shift> {
+    let (start, end) = (law.value(from), law.value(to));
+    let ratio = (end - start) / (to - from);
+    let holds = (0..=8).all(|k| {
+        let v = from + (to - from) * f64::from(k) / 8.0;
+        (law.value(v) - start - ratio * (v - from)).abs() < STRAIGHT
+    });
+    holds.then_some(Shift { ratio, origin: start - ratio * from, step_per_part: 0.0 })
+}
+
+/// Shifts of the plan for strokes that leave stock and for those that leave none, and whether these have areas of their own.
+struct PlannedShifts {
+    finishing: Shift,
+    roughing: Shift,
+    apart: bool,
+}
+
+impl PlannedShifts {
+    fn new(prepared: &Prepared, execution: &Execution, partition: Option<&Partition>) -> Self {
+        let planned = shift_of(execution).unwrap_or_default();
+        let apart = prepared.cycle.roughing_areas > 0;
+        let areas = partition.and_then(|partition| partition.tool_areas(prepared, &execution.motion.shift));
+        let Some(areas) = areas.filter(|_| apart) else {
+            return Self { finishing: planned, roughing: planned, apart };
+        };
+        let by = areas.finishing.first().copied().unwrap_or(0.0);
+        let law = areas.roughing.first().and_then(|law| straight(law, execution.feed_range));
+        Self {
+            finishing: Shift { origin: planned.origin + by, ..planned },
+            roughing: law.unwrap_or(planned),
+            apart,
+        }
+    }
+
+    fn zone(&self, leaves: bool, wanted: Option<StrokeZone>) -> StrokeZone {
+        wanted.unwrap_or(match (self.apart, leaves) {
+            (false, _) => StrokeZone::All,
+            (true, true) => StrokeZone::Roughing,
+            (true, false) => StrokeZone::Finishing,
+        })
+    }
+
+    fn of_zone(&self, zone: StrokeZone) -> Shift {
+        if zone == StrokeZone::Roughing { self.roughing } else { self.finishing }
+    }
+}
+
+impl RunCycle {
+    /// Of a run whose bodies and motion are within what is worked out.
+    ///
+    /// # Errors
+    /// Those of bodies, stock and strokes; no cycle within the limits.
+    pub fn new(
+        prepared: &Prepared,
+        execution: &Execution,
+        (task, partition): (&RemovalTask, Option<&Partition>),
+    ) -> Result<Self, TechnologyError> {
+        let setup = &prepared.setup;
+        let roll = Sides::from_fn(|flank| setup.fields[flank].roll());
+        let face_width = setup.input.blank.face_width;
+        let bodies = Bodies::new(setup.pair.clone(), setup.largest_tip_radius, face_width, roll)?;
+        let field = StockField::new(task.stock.clone(), &bodies)?;
+        let shifts = PlannedShifts::new(prepared, execution, partition);
+        let ratios = [shifts.roughing.ratio, shifts.finishing.ratio];
+        let offers = CycleOffers::new(prepared, task, (&bodies, &field, ratios));
+        let (wanted, offers) = match (&task.strokes, offers) {
+            (StrokesWanted::Listed(strokes), offers) => (strokes.clone(), offers.and_then(Result::ok)),
+            (StrokesWanted::OfMachine, offers) => (of_machine(prepared, task), offers.and_then(Result::ok)),
+            (StrokesWanted::Rule(rule), Some(offers)) => {
+                let offers = offers?;
+                let row = match rule {
+                    CycleRule::Standard => offers.optimum.standard,
+                    CycleRule::Fastest => offers.optimum.best,
+                };
+                let chosen = (row.roughing_strokes, row.cycle);
+                (of_rule(chosen, offers.stock, prepared, task), Some(offers))
+            }
+            // The job's checks ask for the limits.
+            (StrokesWanted::Rule(_), None) => (of_machine(prepared, task), None),
+        };
+        let stroke = |wanted: &WantedStroke| {
+            let leaves = wanted.left.left > 0.0 || wanted.left.right > 0.0;
+            let zone = shifts.zone(leaves, wanted.zone);
+            let planned = shifts.of_zone(zone);
+            Stroke {
+                left: wanted.left,
+                feed_per_revolution: wanted.feed_per_revolution,
+                cutting_speed: wanted.cutting_speed,
+                direction: wanted.direction,
+                shift: Shift {
+                    ratio: wanted.ratio.unwrap_or(planned.ratio),
+                    origin: wanted.origin.unwrap_or(planned.origin),
+                    step_per_part: wanted.step_per_part,
+                },
+                overrun: wanted.overrun,
+                dwell: wanted.dwell,
+                zone: zone.name().into(),
+            }
+        };
+        let own_shift = wanted.iter().map(|w| w.ratio.is_some() || w.origin.is_some()).collect();
+        let cycle = Cycle::new(bodies, field, wanted.iter().map(stroke).collect())?;
+        Ok(Self { cycle, offers, own_shift })
+    }
+
+    /// The strokes as programs drive them.
+    pub fn program_strokes(&self) -> Vec<GrindingStroke> {
+        let tip_radius = self.cycle.bodies.worm_tip_radius;
+        let driven = |(figures, own): (&StrokeFigures, &bool)| {
+            let stroke = &figures.stroke;
+            GrindingStroke {
+                left: stroke.left,
+                worm_speed: 1e3 * stroke.cutting_speed / tip_radius,
+                feed_per_revolution: stroke.feed_per_revolution,
+                direction: stroke.direction,
+                shift: if *own {
+                    StrokeLaw::Own(MotionLaw::polynomial(0.0, vec![stroke.shift.origin, stroke.shift.ratio]))
+                } else {
+                    StrokeLaw::Planned
+                },
+                contact: Some(StockContact { feeds: figures.contact, overrun: stroke.overrun }),
+                dwell: stroke.dwell,
+            }
+        };
+        self.cycle.strokes.iter().zip(&self.own_shift).map(driven).collect()
+    }
+
+    /// Feed per workpiece revolution of the stroke that makes the flank, mm.
+    pub fn finishing_feed(&self) -> Option<f64> {
+        let finishes = |figures: &&StrokeFigures| figures.stroke.left.iter().all(|(_, left)| *left == 0.0);
+        self.cycle.strokes.iter().find(finishes).map(|figures| figures.stroke.feed_per_revolution)
+    }
+}
+
+/// A stroke with rising feed at the job's cutting speed.
+fn usual(prepared: &Prepared, task: &RemovalTask, left: f64, feed: f64) -> WantedStroke {
+    WantedStroke {
+        left: Sides::both(left),
+        feed_per_revolution: feed,
+        cutting_speed: cutting_speed(prepared),
+        direction: Direction::Up,
+        ratio: None,
+        origin: None,
+        step_per_part: task.step_per_part,
+        overrun: prepared.cycle.overrun,
+        dwell: 0.0,
+        zone: None,
+    }
+}
+
+/// Of the worm's tip, m/s.
+pub(super) fn cutting_speed(prepared: &Prepared) -> f64 {
+    1e-3 * prepared.technology.worm_speed() * prepared.setup.largest_tip_radius
+}
+
+/// Roughing, finishing and spark-out as `[machine]` has them.
+fn of_machine(prepared: &Prepared, task: &RemovalTask) -> Vec<WantedStroke> {
+    let stroke = |stroke: &GrindingStroke| {
+        usual(prepared, task, stroke.left.left.max(stroke.left.right), stroke.feed_per_revolution)
+    };
+    prepared.technology.strokes.iter().map(stroke).collect()
+}
+
+/// Roughing strokes of equal depth and a finishing stroke, feeds rounded down.
+fn of_rule(
+    (roughing, cycle): (usize, Option<BestCycle>),
+    stock: f64,
+    prepared: &Prepared,
+    task: &RemovalTask,
+) -> Vec<WantedStroke> {
+    let Some(cycle) = cycle else { return of_machine(prepared, task) };
+    let down = |feed: f64| {
+        let whole = (feed / FEED_STEP).floor() * FEED_STEP;
+        if whole > 0.0 { whole } else { feed }
+    };
+    let depth = (stock - cycle.finishing) / roughing.max(1) as f64;
+    let rough = (1..=roughing).map(|k| (stock - depth * k as f64).max(cycle.finishing));
+    let feeds = cycle.feeds.map(down);
+    let mut strokes: Vec<WantedStroke> = rough.map(|left| usual(prepared, task, left, feeds[0])).collect();
+    strokes.push(usual(prepared, task, 0.0, feeds[1]));
+    strokes
+}

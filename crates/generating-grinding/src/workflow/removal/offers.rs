@@ -1,0 +1,138 @@
+//! Cycles within the limits of a job: by the rule of thumb, the fastest, and how the time goes with the load.
+
+use super::cycle::cutting_speed;
+use crate::workflow::prepare::{Prepared, RemovalTask};
+use foundation::geometry::Flank;
+use grinding_technology::{
+    Axes, Axis, Bodies, DressingTechnology, Optimum, OptimumTask, Rotation, StockField, TechnologyError,
+    ZoneLimits,
+};
+use machine::Role;
+use std::f64::consts::TAU;
+
+/// An axis without a limit, mm or deg, s.
+const FREE: f64 = 1e9;
+/// A worm whose load the job does not bound: parts without end, mm^3/mm.
+const NO_WEAR: f64 = 1e12;
+/// Depth of a dressing stroke where the job names none, mm: no time depends on it.
+const DRESSING_DEPTH: f64 = 0.03;
+
+/// What the limits allow.
+#[derive(Clone, Debug)]
+pub struct CycleOffers {
+    /// Largest stock of both flanks, for which the cycles are made, mm.
+    pub stock: f64,
+    /// The cycles.
+    pub optimum: Optimum,
+    /// Whether the limits of a machine's axes are in the times.
+    pub on_machine: bool,
+    /// Whether dressing is in the times.
+    pub with_dressing: bool,
+}
+
+impl CycleOffers {
+    /// `None` for a job without limits of the removal rate; an error where no cycle keeps them.
+    pub fn new(
+        prepared: &Prepared,
+        task: &RemovalTask,
+        (bodies, field, [ratio_roughing, ratio_finishing]): (&Bodies, &StockField, [f64; 2]),
+    ) -> Option<Result<Self, TechnologyError>> {
+        let (rate_roughing, rate_finishing) = (task.rates.roughing?, task.rates.finishing?);
+        let stock = Flank::BOTH.iter().map(|&flank| field.extent(bodies, flank)[1]).fold(f64::MIN, f64::max);
+        let axes = prepared.machine.as_ref().map(|machine| axes_of(&machine.machine));
+        let on_machine = axes.is_some();
+        let axes = axes.unwrap_or_else(free_axes);
+        let clearance = prepared.technology.clearance;
+        let solved = || {
+            let wear = task.loads.finishing.zip(task.zone_width);
+            let dressing = match (wear, dressing_of(prepared, task)) {
+                (Some(_), Some(dressing)) => dressing.time(bodies, &axes, clearance)?.total(),
+                _ => 0.0,
+            };
+            let zones = match wear {
+                Some((finishing, zone_width)) => ZoneLimits {
+                    zone_width,
+                    zone_gap: task.zone_gap,
+                    allowed_roughing: task.loads.roughing.unwrap_or(finishing),
+                    allowed_finishing: finishing,
+                },
+                None => ZoneLimits {
+                    zone_width: 1.0,
+                    zone_gap: 0.0,
+                    allowed_roughing: NO_WEAR,
+                    allowed_finishing: NO_WEAR,
+                },
+            };
+            let limits = &task.cycle_limits;
+            let times = task.times.unwrap_or_default();
+            let optimum = OptimumTask {
+                stock,
+                cutting_speed: cutting_speed(prepared),
+                least_feed: limits.feed[0],
+                largest_feed: limits.feed[1],
+                feed_mark: limits.feed_mark,
+                rate_roughing,
+                rate_finishing,
+                least_finishing: limits.finishing[0],
+                most_finishing: limits.finishing[1],
+                most_roughing_strokes: limits.most_roughing_strokes,
+                ratio_roughing,
+                ratio_finishing,
+                overrun: prepared.cycle.overrun,
+                clearance,
+                auxiliary: times.load + times.index + times.other,
+                between_strokes: axes.way_back(bodies.face_width + 2.0 * prepared.cycle.overrun),
+                dressing: dressing + times.dressing_aux,
+                zones,
+            }
+            .solve(bodies, &axes)?;
+            Ok(Self { stock, optimum, on_machine, with_dressing: wear.is_some() })
+        };
+        Some(solved())
+    }
+}
+
+/// Limits of the axes that a stroke moves; an axis without a limit, or none, is free.
+pub(super) fn axes_of(machine: &machine::Machine) -> Axes {
+    let of = |role: Role| {
+        let limits = machine.role(role).map(|axis| machine.axes()[axis].limits);
+        let turns = matches!(role, Role::Worm | Role::Work);
+        // Degrees for what turns.
+        let shown =
+            |limit: Option<f64>| limit.map_or(FREE, |limit| if turns { limit.to_degrees() } else { limit });
+        limits.map_or_else(free, |limits| Axis {
+            speed: shown(limits.velocity),
+            acceleration: shown(limits.acceleration),
+            jerk: shown(limits.jerk),
+        })
+    };
+    Axes { x: of(Role::Radial), z: of(Role::Axial), v: of(Role::Shift), b: of(Role::Worm), c: of(Role::Work) }
+}
+
+fn free() -> Axis {
+    Axis { speed: FREE, acceleration: FREE, jerk: FREE }
+}
+
+fn free_axes() -> Axes {
+    Axes { x: free(), z: free(), v: free(), b: free(), c: free() }
+}
+
+/// How the worm is dressed; `None` for a worm that is not dressed by a disc.
+fn dressing_of(prepared: &Prepared, task: &RemovalTask) -> Option<DressingTechnology> {
+    let technology = &prepared.technology;
+    let dresser = prepared.setup.input.dresser.as_ref()?;
+    let stock = &technology.dressing_stock;
+    // One pass dresses one thread.
+    let passes = (stock.len() + 1) * prepared.setup.pair.worm.data().teeth.unsigned_abs() as usize;
+    Some(DressingTechnology {
+        worm_speed: technology.dressing_speed / TAU,
+        dresser_speed: technology.dresser_speed / TAU,
+        dresser_tip_diameter: dresser.tip_diameter,
+        dresser_pitch_diameter: dresser.pitch_diameter.unwrap_or(dresser.tip_diameter),
+        rotation: Rotation::Same,
+        depth: stock.last().copied().unwrap_or(DRESSING_DEPTH),
+        passes,
+        one_flank: !prepared.dressing.two_flanks,
+        worm_width: task.zone_width?,
+    })
+}

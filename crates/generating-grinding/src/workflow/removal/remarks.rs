@@ -1,0 +1,150 @@
+//! Figures over the limits of the shop, and what to know of stock, strokes, width and time.
+
+use super::UM;
+use super::result::{IndicatorResult, PartTimeResult, RemovalResult, WormLoadResult};
+use super::strokes::{finishes, largest};
+use super::time::of_one_control;
+use crate::workflow::prepare::RemovalTask;
+use crate::workflow::programs::result::ProgramsResult;
+use foundation::numerics::extremes;
+use grinding_technology::{Cycle, StrokeFigures, WidthUse};
+use job::shown_number;
+use verdict::Remark;
+
+/// Two figures of the same time are equal within this share.
+const SAME_TIME: f64 = 0.01;
+
+/// Figures over the limits of the shop.
+pub(super) fn indicators(
+    cycle: &Cycle,
+    task: &RemovalTask,
+    load: Option<&WormLoadResult>,
+) -> Vec<IndicatorResult> {
+    let rate = |roughing: bool| {
+        let strokes = cycle.strokes.iter().filter(|figures| finishes(figures) != roughing);
+        strokes.map(|figures| largest(figures, |flank| flank.rate_bound)).fold(0.0, f64::max)
+    };
+    let mark = cycle.strokes.iter().filter(|figures| finishes(figures));
+    let mark =
+        UM * mark.map(|figures| largest(figures, |flank| flank.feed_mark)).fold(f64::INFINITY, f64::min);
+    let mut found = Vec::new();
+    let mut add = |limit: &'static str, value: f64, allowed: Option<f64>| {
+        if let Some(allowed) = allowed {
+            found.push(IndicatorResult { limit, value, allowed, share: value / allowed });
+        }
+    };
+    add("technology.limits.Qw_roughing", rate(true), task.rates.roughing);
+    add("technology.limits.Qw_finishing", rate(false), task.rates.finishing);
+    add("technology.limits.feed_mark_um", mark, task.feed_mark.map(|mark| UM * mark));
+    if let Some(load) = load {
+        let removed = &load.removed_mm3_per_mm;
+        let most = removed.left.iter().chain(&removed.right).copied().fold(0.0, f64::max);
+        add("technology.limits.Vw_finishing", most, task.loads.finishing);
+    }
+    found
+}
+
+/// What to know.
+pub(super) fn remarks(
+    result: &RemovalResult,
+    cycle: &Cycle,
+    (task, programs): (&RemovalTask, Option<&ProgramsResult>),
+) -> Vec<Remark> {
+    let mut remarks = Vec::new();
+    for (flank, &least) in result.stock.least_um.iter() {
+        if least <= 0.0 {
+            remarks.push(Remark {
+                code: "no-stock",
+                text: format!(
+                    "material is missing on the {flank} flank, up to {:.1} um: it does not clean up there",
+                    -least
+                ),
+                way_out: "raise stock.allowance_um, or centre the blank".into(),
+            });
+        }
+    }
+    for (k, stroke) in result.strokes.iter().enumerate() {
+        if stroke.volume_mm3 <= 0.0 && stroke.left_um.iter().any(|(_, left)| *left > 0.0) {
+            remarks.push(Remark {
+                code: "stroke-cuts-air",
+                text: format!(
+                    "stroke {} leaves {:.1} um on the left and {:.1} um on the right flank, which is more than the stock: it takes nothing",
+                    k + 1,
+                    stroke.left_um.left,
+                    stroke.left_um.right
+                ),
+                way_out: "take it out of technology.strokes or machine.roughing_stock_um, or raise stock.allowance_um"
+                    .into(),
+            });
+        }
+    }
+    for indicator in result.indicators.iter().filter(|indicator| indicator.share > 1.0) {
+        remarks.push(Remark {
+            code: "limit-exceeded",
+            text: format!(
+                "{} = {} is exceeded: {} ({:.0} % of it). The limit is the shop's own; the figure says harder than what it calls safe, not burnt",
+                indicator.limit,
+                shown_number(indicator.allowed),
+                shown_number((indicator.value * 1e3).round() / 1e3),
+                100.0 * indicator.share
+            ),
+            way_out: "spread the stock over more strokes, lower the feed, or dress sooner".into(),
+        });
+    }
+    remarks.extend(short_approach(cycle, programs));
+    remarks.extend(narrow_worm(cycle, task));
+    remarks.extend(result.part_time.as_ref().and_then(other_time));
+    remarks
+}
+
+/// A worm that comes in when it should grind already plunges into the end of the teeth.
+fn short_approach(cycle: &Cycle, programs: Option<&ProgramsResult>) -> Option<Remark> {
+    let programs = programs?;
+    let passes: Vec<_> = of_one_control(programs, "grinding").flat_map(|program| &program.passes).collect();
+    if passes.len() != cycle.strokes.len() {
+        return None;
+    }
+    let missing = |(figures, driven): (&StrokeFigures, [f64; 2])| {
+        if figures.volume > 0.0 { driven[0] - figures.contact[0] } else { 0.0 }
+    };
+    let short =
+        cycle.strokes.iter().zip(passes.iter().map(|pass| pass.driven_mm)).map(missing).fold(0.0, f64::max);
+    (short > 0.0).then(|| Remark {
+        code: "approach-too-short",
+        text: format!(
+            "contact begins before the worm has come in: it plunges into the end of the teeth, {short:.1} mm of way are missing"
+        ),
+        way_out: format!("raise grinding.overrun by {:.1} mm, or spread the stock over more strokes", short.ceil()),
+    })
+}
+
+/// A stroke that meets stock beyond the end of the worm.
+fn narrow_worm(cycle: &Cycle, task: &RemovalTask) -> Option<Remark> {
+    let width = task.worm_width.filter(|width| cycle.parts_by_width(*width) == WidthUse::Parts(0))?;
+    let used = extremes(cycle.strokes.iter().flat_map(|figures| figures.occupation));
+    Some(Remark {
+        code: "worm-too-short-for-stock",
+        text: format!(
+            "strokes meet stock from {:.1} to {:.1} mm along the worm, which reaches from {:.1} to {:.1} mm: what its ends do not take is left to the strokes behind",
+            used[0],
+            used[1],
+            -0.5 * width,
+            0.5 * width
+        ),
+        way_out: "take a wider worm, a smaller diagonal ratio, or spread the stock over more strokes".into(),
+    })
+}
+
+/// Programs that take longer, or less, than the law of moves from rest to rest says.
+fn other_time(time: &PartTimeResult) -> Option<Remark> {
+    let by_law = time.grinding_by_law_s?;
+    let off = time.grinding_s / by_law - 1.0;
+    (off.abs() > SAME_TIME).then(|| Remark {
+        code: "time-differs",
+        text: format!(
+            "the grinding programs take {:.2} s, strokes by the law of moves from rest to rest {by_law:.2} s",
+            time.grinding_s
+        ),
+        way_out: "take the programs' time: it has what axes and areas of the worm add".into(),
+    })
+}

@@ -1,0 +1,103 @@
+//! What each stroke takes, how fast, where, and how near it comes to the limits.
+
+use super::result::{FlankRemovalResult, LimitShare, StrokeResult};
+use super::{RPM, UM};
+use crate::workflow::prepare::RemovalTask;
+use foundation::geometry::Flank;
+use grinding_technology::{Cycle, Direction, FlankStroke, Sense, StrokeFigures};
+
+/// Intervals of the removal rate over a stroke.
+const INTERVALS: usize = 60;
+
+/// Times from the first contact on and the removal rate at each.
+fn over_time(cycle: &Cycle, k: usize) -> [Vec<f64>; 2] {
+    let figures = &cycle.strokes[k];
+    let [first, last] = figures.contact;
+    let at = |i: usize| first + (last - first) * i as f64 / INTERVALS as f64;
+    let time = (0..=INTERVALS).map(|i| (at(i) - first).abs() / figures.feed).collect();
+    [time, (0..=INTERVALS).map(|i| cycle.rate(k, at(i))).collect()]
+}
+
+/// Figures of the stroke `k`, from 0.
+pub(super) fn stroke_result(cycle: &Cycle, k: usize, task: &RemovalTask) -> StrokeResult {
+    let figures = &cycle.strokes[k];
+    let [time, rate] = over_time(cycle, k);
+    let most = |list: &[f64]| list.iter().copied().fold(0.0, f64::max);
+    let leaves = !finishes(figures);
+    StrokeResult {
+        stage: match (leaves, figures.volume > 0.0) {
+            (true, _) => "roughing",
+            (false, true) => "finishing",
+            (false, false) => "spark-out",
+        },
+        left_um: figures.stroke.left.map(|_, left| UM * left),
+        cutting_speed_m_per_s: figures.stroke.cutting_speed,
+        feed_per_revolution_mm: figures.stroke.feed_per_revolution,
+        direction: match figures.stroke.direction {
+            Direction::Up => "up",
+            Direction::Down => "down",
+        },
+        zone: figures.stroke.zone.clone(),
+        dwell_s: figures.stroke.dwell,
+        feed_mark_um: UM * largest(figures, |flank| flank.feed_mark),
+        nearest_limit: nearest_limit(figures, task),
+        diagonal_ratio: figures.stroke.shift.ratio,
+        infeed_um: UM * figures.infeed.delta_d,
+        worm_speed_rpm: RPM * figures.speeds[0],
+        work_speed_rpm: RPM * figures.speeds[1],
+        feed_mm_per_s: figures.feed,
+        sense: match figures.sense {
+            Sense::Climb => "climb",
+            Sense::Conventional => "conventional",
+        },
+        contact_mm: figures.contact,
+        approach_mm: figures.approach,
+        travel_mm: figures.travel,
+        volume_mm3: figures.volume,
+        largest_rate_mm3_per_s: most(&rate),
+        worm_mm: figures.occupation,
+        time_s: time,
+        rate_mm3_per_s: rate,
+        flanks: figures.flanks.map(|_, flank: &FlankStroke| FlankRemovalResult {
+            depth_um: UM * flank.deepest,
+            contact_length_mm: most(&flank.contact_length),
+            contact_area_mm2: flank.contact_area,
+            specific_rate_mm3_per_mm_s: most(&flank.rate_bound),
+            chip_thickness_um: UM * flank.chip_thickness,
+            passage_um: UM * most(&flank.passage),
+        }),
+    }
+}
+
+/// Whether a stroke leaves nothing.
+pub(super) fn finishes(figures: &StrokeFigures) -> bool {
+    figures.stroke.left.iter().all(|(_, left)| *left == 0.0)
+}
+
+/// Largest of a figure over the stations of both flanks.
+pub(super) fn largest<const N: usize>(figures: &StrokeFigures, of: fn(&FlankStroke) -> [f64; N]) -> f64 {
+    Flank::BOTH.iter().flat_map(|&flank| of(&figures.flanks[flank])).fold(0.0, f64::max)
+}
+
+/// The limit that a stroke comes nearest to; `None` for one that takes nothing, or without limits.
+fn nearest_limit(figures: &StrokeFigures, task: &RemovalTask) -> Option<LimitShare> {
+    if figures.volume <= 0.0 {
+        return None;
+    }
+    let rate = largest(figures, |flank| flank.rate_bound);
+    let (key, allowed) = if finishes(figures) {
+        ("technology.limits.Qw_finishing", task.rates.finishing)
+    } else {
+        ("technology.limits.Qw_roughing", task.rates.roughing)
+    };
+    let rate = allowed.map(|allowed| LimitShare { limit: key, share: rate / allowed });
+    // Marks go with the square of the feed: the share is that of the feed.
+    let mark = largest(figures, |flank| flank.feed_mark) / task.cycle_limits.feed_mark;
+    let mark =
+        finishes(figures).then(|| LimitShare { limit: "technology.limits.feed_mark_um", share: mark.sqrt() });
+    let feed = LimitShare {
+        limit: "technology.limits.largest_feed",
+        share: figures.stroke.feed_per_revolution / task.cycle_limits.feed[1],
+    };
+    rate.into_iter().chain(mark).chain([feed]).max_by(|a, b| a.share.total_cmp(&b.share))
+}
