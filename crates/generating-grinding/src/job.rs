@@ -45,7 +45,7 @@ pub use inspection::{Band, CorrectionLimits, CorrectionSetting, Inspection};
 pub use measured_gear::{DressingDeviation, SimulatedMeasurement};
 pub use settings::{FlankSettings, Pieces, Settings, StrokeSettings, StrokeTables, ToolTable, ToolTables};
 pub use steps::Steps;
-pub use stock::{RunOut, Stock, StockPlace};
+pub use stock::{HobMarks, PitchStock, RunOut, Stock, StockPlace, StockTerm};
 pub use stroke::{FeedDirection, StrokeOfJob, StrokeShift, StrokeZone};
 pub use stroke_study::{AxisDeviations, Distribution, DresserArea, StrokeSection, StrokeStudy};
 pub use strokes::{DressedSection, StrokeArea, Strokes};

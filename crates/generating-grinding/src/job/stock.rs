@@ -1,5 +1,6 @@
 //! `[stock]`: what stands on the flanks before grinding.
 
+use foundation::geometry::Flank;
 use job::tables::{OneOrSides, one_or_sides_schema};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
@@ -16,9 +17,67 @@ pub struct Stock {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(extend("maxItems" = 50))]
     pub profile: Vec<StockPlace>,
+    /// What is added to it over the flank as um u^i y^j, u from -1 at the form diameter to 1 at the tip, y from -1 to 1 over the face width.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(extend("maxItems" = 50))]
+    pub terms: Vec<StockTerm>,
+    /// What is added to it in each tooth space by pitch deviations of the blank, um: a value for every space.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pitch_um: Option<PitchStock>,
     /// How the blank is off centre.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub run_out: Option<RunOut>,
+    /// Feed marks of the hob.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hob: Option<HobMarks>,
+}
+
+/// Stock added over the flank.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StockTerm {
+    /// Power of u along the profile; default 0.
+    #[serde(default)]
+    #[schemars(extend("maximum" = 8, "x-way-out" = "give a small whole number, e.g. 1"))]
+    pub i: u32,
+    /// Power of y along the face width; default 0.
+    #[serde(default)]
+    #[schemars(extend("maximum" = 8, "x-way-out" = "give a small whole number, e.g. 2"))]
+    pub j: u32,
+    /// Amount, um.
+    #[schemars(extend("minimum" = -5000, "maximum" = 5000, "x-way-out" = "give the amount in um"))]
+    pub um: f64,
+    /// The flank that has it; default both.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub flank: Option<Flank>,
+}
+
+/// Values for each tooth space, space 0 first, in the sense of rising angle about the gear's axis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PitchStock {
+    /// Left flanks, um.
+    #[schemars(extend("maxItems" = 2000), inner(range(min = -5000, max = 5000)))]
+    pub left: Vec<f64>,
+    /// Right flanks, um.
+    #[schemars(extend("maxItems" = 2000), inner(range(min = -5000, max = 5000)))]
+    pub right: Vec<f64>,
+}
+
+/// Feed marks of a hob: parabolas along the face width.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HobMarks {
+    /// Axial feed of the hob per revolution of the workpiece, mm.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 100, "x-way-out" = "give the feed in mm, e.g. 2.5"))]
+    pub feed: f64,
+    /// Height of the marks above their bottom, um.
+    #[schemars(extend("minimum" = 0, "maximum" = 1000, "x-way-out" = "give the height in um, e.g. 8"))]
+    pub height_um: f64,
+    /// Where along the face width a mark has its bottom at the base circle, mm; default 0.
+    #[serde(default)]
+    #[schemars(extend("minimum" = -1000, "maximum" = 1000, "x-way-out" = "give the place in mm, or leave it out"))]
+    pub origin: f64,
 }
 
 fn allowance(_: &mut SchemaGenerator) -> Schema {

@@ -22,7 +22,11 @@ use generating::{
 use job::{Diagnostic, Problem};
 use metrology::Topography;
 use run::RunFailure;
+use std::f64::consts::TAU;
 use verdict::Remark;
+
+/// Phases of two flanks closer than this (rad) are one motion.
+const SAME_PHASE: f64 = 1e-9;
 
 /// How one flank of the tool is dressed.
 #[derive(Clone, Debug)]
@@ -174,6 +178,12 @@ fn executed(w: &[f64], z: &[f64], target: &[f64], planned: Vec<f64>) -> Option<(
 }
 
 impl Execution {
+    /// Whether one motion grinds the flanks: their phases differ by full turns.
+    pub fn grinds_both_at_once(&self) -> bool {
+        let apart = self.motion.phase.left - self.motion.phase.right;
+        (apart - TAU * (apart / TAU).round()).abs() < SAME_PHASE
+    }
+
     /// Lets the dressing axes be off by d_phi_S, d_gamma (rad), d_d, d_v_yA (mm) all along the worm; false, and nothing done, for a tool
     /// that is not dressed in one stroke.
     pub fn shift_dressing(&mut self, by: [f64; 4]) -> bool {

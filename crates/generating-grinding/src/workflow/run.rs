@@ -14,7 +14,7 @@ use super::partition::Partition;
 use super::prepare::{GivenSettings, Prepared, prepare};
 use super::referee::{self, Cutting};
 use super::refusal::{of_planning, of_simulation};
-use super::removal::{RunCycle, removal_of_run};
+use super::removal::{RunCycle, put_on_stock, removal_of_run};
 use super::result::{CandidateResult, FlankResult, JobResult, LeastDeviationResult, SettingsResult};
 use super::tip_edge::{judge_tip_edge, tip_edge_depths};
 use super::tip_land::TipLands;
@@ -115,7 +115,7 @@ fn finish(
     progress: &dyn Progress,
 ) -> Result<Outcome, RunFailure> {
     let partition = Partition::of_cycle(&prepared, execution.ratio, &execution.motion.shift)?;
-    let on_stock = prepared.put_on_stock(&execution)?;
+    let on_stock = put_on_stock(&mut prepared, &execution)?;
     let cycle = &prepared.cycle;
     let tip_lands = TipLands::of_execution(&prepared, &execution, plan.is_some())?;
     let dressing_lines = Instant::now();

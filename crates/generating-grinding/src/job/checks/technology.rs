@@ -5,6 +5,7 @@ use foundation::geometry::Flank;
 use job::{Diagnostic, Problem, shown_number};
 
 pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
+    pitches(job, findings);
     let Some(technology) = &job.technology else { return };
     let needs = |field: &str, text: &'static str, allowed: &'static str, way_out: &'static str| {
         Diagnostic::new(Problem::InvalidJob, text)
@@ -77,6 +78,23 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
     ranges(technology, findings);
     for k in 0..technology.strokes.len() {
         stroke(job, technology, k, findings);
+    }
+}
+
+/// One value for every tooth space.
+fn pitches(job: &Job, findings: &mut Vec<Diagnostic>) {
+    let Some(pitch) = job.stock.as_ref().and_then(|stock| stock.pitch_um.as_ref()) else { return };
+    let spaces = job.gear.teeth.unsigned_abs() as usize;
+    for (flank, list) in [("left", &pitch.left), ("right", &pitch.right)] {
+        if list.len() != spaces {
+            findings.push(
+                Diagnostic::new(Problem::InvalidJob, "the list has not a value for every tooth space")
+                    .field(format!("stock.pitch_um.{flank}"))
+                    .value(format!("{} values", list.len()))
+                    .allowed(format!("{spaces} values, one for each tooth space"))
+                    .way_out("give a value for every space, 0 where there is none"),
+            );
+        }
     }
 }
 

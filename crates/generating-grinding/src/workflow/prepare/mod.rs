@@ -26,10 +26,7 @@ pub use targets::{tolerance_of_job, wanted_flanks};
 
 use super::equal_ratio_offers::free_lines;
 use crate::job::{DiagonalRatio, DiagonalRule, Grinding, LoadedJob, Method, Tool as JobTool};
-use crate::workflow::execution::Execution;
-use crate::workflow::partition::Partition;
 use crate::workflow::programs::technology::Technology;
-use crate::workflow::removal::{RunCycle, cycle_of_run};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::MotionLaw;
 use foundation::modification::{ModificationSpec, ToleranceMap};
@@ -176,21 +173,6 @@ impl Prepared {
         let machine = loaded.job.machine.as_ref();
         let machine = machine.map(|machine| machine_of_job(&loaded.document, &machine.file)).transpose()?;
         Ok(Self { machine, ..self })
-    }
-}
-
-impl Prepared {
-    /// Puts the strokes of a run on its stock in the place of those of `[machine]`; `None` where no stock is known.
-    ///
-    /// # Errors
-    /// [`RunFailure`] with a finding on `[stock]` or `[technology]`.
-    pub fn put_on_stock(&mut self, execution: &Execution) -> Result<Option<RunCycle>, RunFailure> {
-        let partition = Partition::of_cycle(self, execution.ratio, &execution.motion.shift)?;
-        let cycle = cycle_of_run(self, execution, partition.as_ref())?;
-        if let Some(cycle) = &cycle {
-            self.technology.strokes = cycle.program_strokes();
-        }
-        Ok(cycle)
     }
 }
 

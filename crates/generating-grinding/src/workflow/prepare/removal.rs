@@ -5,7 +5,7 @@ use crate::job::{CycleRule, FeedDirection, Job, StrokeOfJob, StrokeZone, Technol
 use crate::workflow::programs::Technology;
 use foundation::geometry::{Flank, Sides};
 use generating::GrindingSetup;
-use grinding_technology::{Direction, PartTimes, Rates, RunOut, Stock};
+use grinding_technology::{Direction, HobMarks, PartTimes, Rates, RunOut, Stock, StockTerm};
 use job::{Diagnostic, Problem, shown_number};
 use run::RunFailure;
 use std::f64::consts::TAU;
@@ -165,6 +165,20 @@ impl RemovalTask {
             run_out: given.run_out.map(|run_out| RunOut {
                 eccentricity: UM * run_out.eccentricity_um,
                 angle: run_out.angle_deg.to_radians(),
+            }),
+            terms: given
+                .terms
+                .iter()
+                .map(|term| StockTerm { i: term.i, j: term.j, amount: UM * term.um, flank: term.flank })
+                .collect(),
+            pitch: given.pitch_um.as_ref().map(|pitch| {
+                let mm = |list: &[f64]| list.iter().map(|um| UM * um).collect();
+                Sides { left: mm(&pitch.left), right: mm(&pitch.right) }
+            }),
+            hob: given.hob.map(|hob| HobMarks {
+                feed: hob.feed,
+                height: UM * hob.height_um,
+                origin: hob.origin,
             }),
             ..Stock::constant(allowance)
         };

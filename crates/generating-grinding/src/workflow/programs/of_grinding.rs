@@ -28,15 +28,12 @@ use motion::ReadStroke;
 use nalgebra::Vector3;
 use run::RunFailure;
 use run::program_check::dialects;
-use std::f64::consts::TAU;
 use verdict::Remark;
 
 /// Contacts looked at along the line in which the dresser touches a flank.
 const CONTACTS: usize = 5;
 /// Where along a stroke they are looked at, as shares of it.
 const PLACES: [f64; 3] = [0.1, 0.5, 0.9];
-/// Phases of two flanks closer than this (rad) are one motion.
-const SAME_PHASE: f64 = 1e-9;
 
 /// The strokes of a run with the bodies that they move.
 pub(super) struct Strokes {
@@ -306,10 +303,11 @@ fn grinding_work(prepared: &Prepared, execution: &Execution) -> Vec<(GrindingWor
     let setup = &prepared.setup;
     let ground: Vec<Flank> = Flank::BOTH.into_iter().filter(|&f| execution.flanks[f].is_some()).collect();
     let phase = &execution.motion.phase;
-    let apart = phase.left - phase.right;
-    let together = (apart - TAU * (apart / TAU).round()).abs() < SAME_PHASE;
-    let groups: Vec<Vec<Flank>> =
-        if together { vec![ground] } else { ground.into_iter().map(|f| vec![f]).collect() };
+    let groups: Vec<Vec<Flank>> = if execution.grinds_both_at_once() {
+        vec![ground]
+    } else {
+        ground.into_iter().map(|f| vec![f]).collect()
+    };
     groups
         .into_iter()
         .filter(|flanks| !flanks.is_empty())

@@ -7,6 +7,7 @@ use super::sought::Sought;
 use super::technology::Technology;
 use crate::job::LoadedJob;
 use crate::workflow::referee::Cutting;
+use crate::workflow::removal::put_on_stock;
 use crate::workflow::run::{Outcome, run_without_programs};
 use foundation::geometry::{Flank, Sides};
 use foundation::numerics::Progress;
@@ -30,7 +31,7 @@ impl OnGrinding {
         let run = run_without_programs(loaded, progress)?;
         // Strokes that a rule chooses depend on the machine.
         let mut prepared = run.prepared.on_machine(loaded)?;
-        prepared.put_on_stock(&run.execution)?;
+        put_on_stock(&mut prepared, &run.execution)?;
         let run = Outcome { prepared, ..run };
         let strokes = Strokes::new(&run.prepared, &run.execution)?;
         Ok(Self { run, strokes })

@@ -6,6 +6,7 @@ use super::super::result::CandidateResult;
 use crate::job::LoadedJob;
 use crate::workflow::programs::beyond_travel::BeyondTravel;
 use crate::workflow::programs::of_grinding::beyond_travel_of_grinding;
+use crate::workflow::removal::put_on_stock;
 use foundation::geometry::Flank;
 use foundation::numerics::equidistant;
 use generating::{Candidate, FeedLaw, GeneratingError};
@@ -63,7 +64,7 @@ impl Evidence {
         };
         let beyond = match execution.filter(|_| finding.code == "axis-limit" && is_of_machine(finding)) {
             Some(execution) => {
-                prepared.put_on_stock(&execution).ok()?;
+                put_on_stock(&mut prepared, &execution).ok()?;
                 beyond_travel_of_grinding(&prepared, &execution)
             }
             None => Vec::new(),

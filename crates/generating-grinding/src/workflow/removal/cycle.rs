@@ -31,12 +31,11 @@ pub struct RunCycle {
 /// Why strokes are not worked out.
 pub fn beyond(prepared: &Prepared, execution: &Execution) -> Option<&'static str> {
     let setup = &prepared.setup;
-    let phase = &execution.motion.phase;
     if !(setup.pair.worm.is_cylindrical() && setup.pair.work.is_cylindrical()) {
         Some("a body is conical")
     } else if Flank::BOTH.iter().any(|&flank| execution.flanks[flank].is_none()) {
         Some("one flank is ground by itself")
-    } else if phase.left != phase.right {
+    } else if !execution.grinds_both_at_once() {
         Some("the flanks are ground one after the other")
     } else if shift_of(execution).is_none() {
         Some("the shift of the worm is not proportional to the feed")

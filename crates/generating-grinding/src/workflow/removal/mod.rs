@@ -41,20 +41,19 @@ pub struct Removal {
     pub remarks: Vec<Remark>,
 }
 
-/// The strokes of a run with stock; `None` without, and where bodies or motions are beyond what is worked out.
+/// Puts the strokes of a run on its stock in the place of those of `[machine]`; `None` without stock, and where bodies or motions are beyond
+/// what is worked out.
 ///
 /// # Errors
 /// [`RunFailure`] with a finding on `[stock]` or `[technology]`.
-pub fn cycle_of_run(
-    prepared: &Prepared,
-    execution: &Execution,
-    partition: Option<&Partition>,
-) -> Result<Option<RunCycle>, RunFailure> {
-    let Some(task) = &prepared.removal else { return Ok(None) };
-    if beyond(prepared, execution).is_some() {
+pub fn put_on_stock(prepared: &mut Prepared, execution: &Execution) -> Result<Option<RunCycle>, RunFailure> {
+    let Some(task) = prepared.removal.as_ref().filter(|_| beyond(prepared, execution).is_none()) else {
         return Ok(None);
-    }
-    RunCycle::new(prepared, execution, (task, partition)).map(Some).map_err(|error| refused(&error))
+    };
+    let partition = Partition::of_cycle(prepared, execution.ratio, &execution.motion.shift)?;
+    let cycle = RunCycle::new(prepared, execution, (task, partition.as_ref())).map_err(|e| refused(&e))?;
+    prepared.technology.strokes = cycle.program_strokes();
+    Ok(Some(cycle))
 }
 
 /// Figures of a run with stock; nothing without.
