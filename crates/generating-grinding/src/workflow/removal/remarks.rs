@@ -105,7 +105,7 @@ fn short_approach(cycle: &Cycle, programs: Option<&ProgramsResult>) -> Option<Re
         return None;
     }
     let missing = |(figures, driven): (&StrokeFigures, [f64; 2])| {
-        if figures.volume > 0.0 { driven[0] - figures.contact[0] } else { 0.0 }
+        if figures.volume > 0.0 { figures.sign() * (driven[0] - figures.contact[0]) } else { 0.0 }
     };
     let short =
         cycle.strokes.iter().zip(passes.iter().map(|pass| pass.driven_mm)).map(missing).fold(0.0, f64::max);
