@@ -1,9 +1,9 @@
 //! Figures over the limits of the shop, and what to know of stock, strokes, width and time.
 
-use super::UM;
 use super::result::{IndicatorResult, PartTimeResult, RemovalResult, WormLoadResult};
 use super::strokes::{finishes, largest};
 use super::time::of_one_control;
+use super::{RPM, UM};
 use crate::workflow::prepare::RemovalTask;
 use crate::workflow::programs::result::ProgramsResult;
 use foundation::numerics::extremes;
@@ -36,6 +36,15 @@ pub(super) fn indicators(
     add("technology.limits.Qw_roughing", rate(true), task.rates.roughing);
     add("technology.limits.Qw_finishing", rate(false), task.rates.finishing);
     add("technology.limits.feed_mark_um", mark, task.feed_mark.map(|mark| UM * mark));
+    let fastest = |of: fn(&StrokeFigures) -> f64| cycle.strokes.iter().map(of).fold(0.0, f64::max);
+    let speeds = &task.speeds;
+    add("technology.limits.wheel_speed_m_per_s", fastest(|f| f.stroke.cutting_speed), speeds.wheel);
+    for (key, speed, limit) in [
+        ("technology.limits.worm_speed_rpm", fastest(|f| f.speeds[0]), speeds.worm),
+        ("technology.limits.work_speed_rpm", fastest(|f| f.speeds[1]), speeds.work),
+    ] {
+        add(key, RPM * speed, limit.map(|limit| RPM * limit));
+    }
     if let Some(load) = load {
         let removed = &load.removed_mm3_per_mm;
         let most = removed.left.iter().chain(&removed.right).copied().fold(0.0, f64::max);
