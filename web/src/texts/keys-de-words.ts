@@ -18,6 +18,8 @@ export const WORDS_DE: Record<string, string> = {
   "opposite-crowning": "Gegenläufige Balligkeit",
   "profile-slope": "Profilwinkel",
   "profile-crowning": "Höhenballigkeit",
+  en: "Englisch",
+  de: "Deutsch",
   climb: "Gleichlauf",
   conventional: "Gegenlauf",
   "end-mill": "Schaftfräser",
