@@ -58,7 +58,10 @@ fn the_page_is_complete_and_self_contained() {
     }
     // How values were found stands behind what they are.
     let at = |text: &str| page.find(text).unwrap_or_else(|| panic!("{text}"));
-    assert!(at("<h2>Files</h2>") < at(">Appendix</p>") && at(">Appendix</p>") < at("<h2>How it was verified</h2>"));
+    assert!(
+        at("<h2>Files</h2>") < at(">Appendix</p>")
+            && at(">Appendix</p>") < at("<h2>How it was verified</h2>")
+    );
     let ratio = outcome.execution.ratio;
     let ratio = report::charts::format_significant(ratio, 7);
     assert_holds(
@@ -131,7 +134,8 @@ fn the_first_page_has_what_the_operator_sets() {
     // The head stands beside a right angle by what the programs leave on its axis.
     let settings = &outcome.result.settings;
     let beside = settings.crossed_axes_angle_deg.abs() - 90.0;
-    let swivel: f64 = value("head swivel angle, axis A1").replace('−', "-").trim_end_matches('°').parse().unwrap();
+    let swivel: f64 =
+        value("head swivel angle, axis A1").replace('−', "-").trim_end_matches('°').parse().unwrap();
     assert!((swivel.abs() - beside.abs()).abs() < 1e-4, "{swivel} {beside}");
     // The cutting speed is that of the largest worm, the speeds of worm and workpiece follow the threads and teeth.
     let number = |name: &str| -> f64 { value(name).split(' ').next().unwrap().parse().unwrap() };
@@ -142,11 +146,21 @@ fn the_first_page_has_what_the_operator_sets() {
     assert!((number("workpiece speed") - number("worm speed n") * threads).abs() < 0.2);
     assert!((number("axial feed rate") - number("axial feed per") * number("workpiece speed")).abs() < 0.2);
     // Without stock nothing is said of before.
-    assert!(page.contains("Before machining: not known") && !lists.iter().any(|(name, _)| name.contains("before")));
+    assert!(
+        page.contains("Before machining: not known")
+            && !lists.iter().any(|(name, _)| name.contains("before"))
+    );
     assert!(page.contains("@bottom-left { content: \"A \\3c 1\\3e  · twist-free-crowning\"; }"));
     loaded.job.machine = None;
     let page = self::page(&run(&loaded));
-    assert_holds(&page, &["Speeds: not given, the job names no machine.", "head swivel angle, amount", "Not known: no programs"]);
+    assert_holds(
+        &page,
+        &[
+            "Speeds: not given, the job names no machine.",
+            "head swivel angle, amount",
+            "Not known: no programs",
+        ],
+    );
 }
 
 #[test]
@@ -156,7 +170,8 @@ fn stock_shows_in_the_measures_before() {
     let outcome = run(&loaded);
     let lists = first_page(&page(&outcome));
     let value = |name: &str| -> f64 {
-        let found = lists.iter().find(|(of, _)| of.contains(name)).unwrap_or_else(|| panic!("{name} in {lists:?}"));
+        let found =
+            lists.iter().find(|(of, _)| of.contains(name)).unwrap_or_else(|| panic!("{name} in {lists:?}"));
         found.1.split(' ').next().unwrap().parse().unwrap()
     };
     // The base tangent meets both flanks along their normals.

@@ -191,14 +191,14 @@ impl Verdict {
         let judged = groups(self.judged.iter().map(|one| one.item.as_str()));
         let not = self.not_judged.iter().map(|one| one.item.as_str()).collect();
         scope(judged, not, |names| match names.get(..FEW) {
-            Some(few) if names.len() > FEW => format!("{} and {} more", few.join(", "), names.len() - FEW),
+            Some(few) if names.len() > FEW => format!("{}; {} more", few.join(", "), names.len() - FEW),
             _ => names.join(", "),
         })
     }
 }
 
 /// Items that a short scope names.
-const FEW: usize = 4;
+const FEW: usize = 3;
 
 /// What stands before the colon of items, each once.
 fn groups<'a>(items: impl Iterator<Item = &'a str>) -> Vec<&'a str> {

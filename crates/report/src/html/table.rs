@@ -8,10 +8,14 @@ use std::fmt::Write;
 /// A table of so many rows stays on one printed page.
 const SHORT: usize = 14;
 
+/// A table of so many columns is set smaller on paper.
+const WIDE: usize = 8;
+
 impl Writer {
     pub(super) fn table(&mut self, table: &Table) {
         let short = if table.rows.len() <= SHORT { " short" } else { "" };
-        let _ = writeln!(self.page, "<div class=\"table{short}\">\n<table>");
+        let wide = if table.columns.len() >= WIDE { " wide" } else { "" };
+        let _ = writeln!(self.page, "<div class=\"table{short}{wide}\">\n<table>");
         if !table.caption.is_empty() {
             let _ = writeln!(self.page, "<caption>{}</caption>", self.set.running(&table.caption));
         }

@@ -1,4 +1,4 @@
-//! Texts of the table with holes: `{}` stands for a number or a word, which is said in the language as well.
+//! Texts of the table with holes: `{n}` stands for a number, `{}` for anything, which is said in the language as well.
 
 use super::german::TEXTS;
 use std::collections::HashMap;
@@ -8,23 +8,53 @@ use std::sync::LazyLock;
 struct Table {
     fixed: HashMap<&'static str, &'static str>,
     /// By decreasing length of their own words, so that the nearest one is found first.
-    sentences: Vec<(Vec<&'static str>, &'static str)>,
+    sentences: Vec<(Pattern, &'static str)>,
+}
+
+/// A text with holes.
+struct Pattern {
+    /// What stands before, between and behind the holes.
+    pieces: Vec<&'static str>,
+    /// Which of the holes take numbers only.
+    numbers: Vec<bool>,
 }
 
 const HOLE: &str = "{}";
+const NUMBER: &str = "{n}";
+
+impl Pattern {
+    fn of(text: &'static str) -> Self {
+        let (mut pieces, mut numbers) = (Vec::new(), Vec::new());
+        let mut rest = text;
+        while let Some(at) = rest.find(HOLE).into_iter().chain(rest.find(NUMBER)).min() {
+            let is_number = rest[at..].starts_with(NUMBER);
+            pieces.push(&rest[..at]);
+            numbers.push(is_number);
+            rest = &rest[at + if is_number { NUMBER } else { HOLE }.len()..];
+        }
+        pieces.push(rest);
+        Self { pieces, numbers }
+    }
+}
+
+/// Whether a text is a number as pages print it.
+fn is_number(text: &str) -> bool {
+    let of_numbers = |c: char| c.is_ascii_digit() || ".,−-+·–⁰¹²³⁴⁵⁶⁷⁸⁹⁻".contains(c);
+    text.contains(|c: char| c.is_ascii_digit()) && text.chars().all(of_numbers)
+}
 
 static TABLE: LazyLock<Table> = LazyLock::new(|| {
     let mut fixed = HashMap::new();
     let mut sentences = Vec::new();
     for (english, german) in TEXTS.iter().flat_map(|texts| texts.iter().copied()) {
-        if english.contains(HOLE) {
-            sentences.push((english.split(HOLE).collect::<Vec<_>>(), german));
+        if english.contains(HOLE) || english.contains(NUMBER) {
+            sentences.push((Pattern::of(english), german));
         } else {
             fixed.insert(english, german);
         }
     }
-    sentences
-        .sort_by_key(|(pieces, _)| std::cmp::Reverse(pieces.iter().map(|piece| piece.len()).sum::<usize>()));
+    let own = |(pattern, _): &(Pattern, &str)| pattern.pieces.iter().map(|piece| piece.len()).sum::<usize>();
+    sentences.sort_by_key(|entry| std::cmp::Reverse(own(entry)));
     Table { fixed, sentences }
 });
 
@@ -63,8 +93,8 @@ fn list(text: &str, table: &dyn Fn(&str) -> Option<String>) -> Option<String> {
 
 /// A text with holes, what stands in them in German too.
 fn sentence(text: &str) -> Option<String> {
-    TABLE.sentences.iter().find_map(|(pieces, sentence)| {
-        let holes = holes(text, pieces)?;
+    TABLE.sentences.iter().find_map(|(pattern, sentence)| {
+        let holes = holes(text, pattern)?;
         let mut said = holes.iter().map(|hole| german(hole).unwrap_or_else(|| (*hole).to_owned()));
         Some(sentence.split(HOLE).enumerate().fold(String::new(), |mut out, (k, piece)| {
             if k > 0 {
@@ -76,8 +106,8 @@ fn sentence(text: &str) -> Option<String> {
 }
 
 /// What stands in the holes between the pieces, none of it empty; `None` for a text of another form.
-fn holes<'a>(text: &'a str, pieces: &[&str]) -> Option<Vec<&'a str>> {
-    let (first, rest) = pieces.split_first()?;
+fn holes<'a>(text: &'a str, pattern: &Pattern) -> Option<Vec<&'a str>> {
+    let (first, rest) = pattern.pieces.split_first()?;
     let mut left = text.strip_prefix(first)?;
     let mut found = Vec::new();
     for (k, piece) in rest.iter().enumerate() {
@@ -88,7 +118,10 @@ fn holes<'a>(text: &'a str, pieces: &[&str]) -> Option<Vec<&'a str>> {
             (false, _) => left.find(piece)?,
         };
         let hole = left.get(..at)?;
-        if hole.is_empty() || left.get(at..)?.strip_prefix(piece).is_none() {
+        if hole.is_empty()
+            || (pattern.numbers[k] && !is_number(hole))
+            || left.get(at..)?.strip_prefix(piece).is_none()
+        {
             return None;
         }
         found.push(hole);
@@ -103,7 +136,7 @@ mod tests {
 
     #[test]
     fn holes_are_what_stands_between_the_pieces() {
-        let of = |text, sentence: &'static str| holes(text, &sentence.split(HOLE).collect::<Vec<_>>());
+        let of = |text, sentence: &'static str| holes(text, &Pattern::of(sentence));
         assert_eq!(of("at 3 mm, 4 mm.", "at {} mm, {} mm."), Some(vec!["3", "4"]));
         assert_eq!(of("left asked", "{} asked"), Some(vec!["left"]));
         assert_eq!(of("round 12", "round {}"), Some(vec!["12"]));
@@ -111,6 +144,8 @@ mod tests {
         assert_eq!(of("around 12", "round {}"), None);
         assert_eq!(of("at 3 mm", "at {} mm, {} mm."), None);
         assert_eq!(of("µ", "{} µµ"), None);
+        assert_eq!(of("−2.5 to 3·10⁻⁴", "{n} to {n}"), Some(vec!["−2.5", "3·10⁻⁴"]));
+        assert_eq!(of("short to reach", "{n} to {n}"), None);
     }
 
     #[test]
@@ -127,7 +162,8 @@ mod tests {
     #[test]
     fn every_sentence_keeps_its_holes() {
         for (english, german) in TEXTS.iter().flat_map(|texts| texts.iter()) {
-            assert_eq!(english.matches(HOLE).count(), german.matches(HOLE).count(), "{english}");
+            let holes = english.matches(HOLE).count() + english.matches(NUMBER).count();
+            assert_eq!(holes, german.matches(HOLE).count(), "{english}");
             assert!(
                 !german.is_empty() && english.trim() == *english && german.trim() == *german,
                 "{english}"

@@ -17,7 +17,6 @@ pub(super) fn worm(outcome: &Outcome) -> Sheet {
     let lead = 90.0 - data.helix_angle.to_degrees().abs();
     let mut list = vec![
         Quantity::shown("number of threads, hand", "z_0", format!("{}, {hand}", data.teeth.abs()), ""),
-        Quantity::rounded("normal module", "m_n0", data.normal_module, 4, "mm"),
         Quantity::rounded("tip diameter", "d_a0", 2.0 * setup.worm_tip_radius, 3, "mm"),
         Quantity::rounded("lead angle", "γ_0", lead, 4, "deg"),
     ];

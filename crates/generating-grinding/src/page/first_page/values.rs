@@ -111,7 +111,8 @@ fn evaluated(flanks: &[&ShownFlank<'_>]) -> Vec<Row> {
         flanks: flanks.iter().map(|flank| of(flank, symbol)).collect(),
         tolerance: None,
     });
-    rows.filter(|row| row.flanks.iter().any(|cells| cells.made.is_some())).collect()
+    // What the drawing does not name stands in the details.
+    rows.filter(|row| row.flanks.iter().any(|cells| cells.drawn.is_some())).collect()
 }
 
 /// Amounts of the drawing that no trace evaluates: twist by the whole field, of others what is asked for.

@@ -53,7 +53,7 @@ pub(super) const TEXTS: &[Text] = &[
     ("Teeth", "Zähne"),
     ("teeth", "Zähne"),
     ("tooth", "Zahn"),
-    ("tooth {}", "Zahn {}"),
+    ("tooth {n}", "Zahn {}"),
     ("Tooth", "Zahn"),
     ("Line", "Linie"),
     ("Remark", "Bemerkung"),

@@ -105,7 +105,7 @@ pub(super) const TEXTS: &[Text] = &[
         "Speeds: not given, the job names no machine.",
         "Drehzahlen: nicht angegeben, der Auftrag nennt keine Maschine.",
     ),
-    ("{} to {}", "{} bis {}"),
+    ("{n} to {n}", "{} bis {}"),
     ("Times", "Zeiten"),
     (
         "Not known: no programs, the job names no machine.",

@@ -76,6 +76,5 @@ pub(super) const TEXTS: &[Text] = &[
     ("Way", "Weg"),
     ("Largest velocity", "Größte Geschwindigkeit"),
     ("Largest acceleration", "Größte Beschleunigung"),
-    ("{} and {}", "{} und {}"),
     ("of limit", "der Grenze"),
 ];

@@ -24,9 +24,9 @@ pub(super) const TEXTS: &[Text] = &[
     ),
     ("Removal rate", "Zeitspanvolumen"),
     ("Time in contact [s]", "Zeit im Kontakt [s]"),
-    ("{} roughing", "{} Schruppen"),
-    ("{} finishing", "{} Schlichten"),
-    ("{} spark-out", "{} Ausfunken"),
+    ("{n} roughing", "{} Schruppen"),
+    ("{n} finishing", "{} Schlichten"),
+    ("{n} spark-out", "{} Ausfunken"),
     (
         "What each millimetre of the worm's width has removed, the largest over the profile; parts between two dressings: {}.",
         "Was jeder Millimeter der Schneckenbreite abgetragen hat, das größte über dem Profil; Teile zwischen zwei Abrichtvorgängen: {}.",

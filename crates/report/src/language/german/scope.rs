@@ -3,8 +3,7 @@
 use super::Text;
 
 pub(super) const TEXTS: &[Text] = &[
-    ("{} and {} more", "{} und {} weitere"),
-    ("{} and {} more. Not judged: {}", "{} und {} weitere. Nicht beurteilt: {}"),
+    ("{}; {n} more", "{}; {} weitere"),
     (
         "traces of the left flank where the drawing has them",
         "Linien der linken Flanke, wo die Zeichnung sie hat",

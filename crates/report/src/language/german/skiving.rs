@@ -122,8 +122,8 @@ pub(super) const TEXTS: &[Text] = &[
         "The track with the least material; below zero it is missing.",
         "Die Spur mit dem wenigsten Material; unter null fehlt es.",
     ),
-    ("Edge for the left flank across track {}", "Schneide für die linke Flanke quer zu Spur {}"),
-    ("Edge for the right flank across track {}", "Schneide für die rechte Flanke quer zu Spur {}"),
+    ("Edge for the left flank across track {n}", "Schneide für die linke Flanke quer zu Spur {}"),
+    ("Edge for the right flank across track {n}", "Schneide für die rechte Flanke quer zu Spur {}"),
     (
         "section perpendicular to the edge; up: normal of the rake face, right: out of the tooth",
         "Schnitt senkrecht zur Schneide; oben: Normale der Spanfläche, rechts: aus dem Zahn",
@@ -157,7 +157,7 @@ pub(super) const TEXTS: &[Text] = &[
     ),
     ("fitted line", "ausgeglichene Linie"),
     ("forecast", "Vorhersage"),
-    ("{} parts", "{} Teile"),
+    ("{n} parts", "{} Teile"),
     ("{}: wear [µm]", "{}: Verschleiß [µm]"),
     ("Wear over the parts cut", "Verschleiß über den geschnittenen Teilen"),
     ("parts cut since the last regrinding", "Teile seit dem letzten Nachschleifen"),
@@ -188,7 +188,7 @@ pub(super) const TEXTS: &[Text] = &[
     ("{}: deviation [µm]", "{}: Abweichung [µm]"),
     ("Shape of the edge", "Form der Schneide"),
     ("place x along the edge", "Stelle x längs der Schneide"),
-    ("track {}", "Spur {}"),
+    ("track {n}", "Spur {}"),
     ("tooth to look at", "zu prüfender Zahn"),
     (
         "did not switch on every track; the lines show the mean tooth where it lacks",
