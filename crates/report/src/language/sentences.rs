@@ -39,8 +39,8 @@ impl Pattern {
 
 /// Whether a text is a number as pages print it.
 fn is_number(text: &str) -> bool {
-    let of_numbers = |c: char| c.is_ascii_digit() || ".,−-+·–⁰¹²³⁴⁵⁶⁷⁸⁹⁻".contains(c);
-    text.contains(|c: char| c.is_ascii_digit()) && text.chars().all(of_numbers)
+    let is_digit = |c: char| c.is_ascii_digit() || "⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c);
+    text.contains(is_digit) && text.chars().all(|c| is_digit(c) || ".,−-+·–⁻".contains(c))
 }
 
 static TABLE: LazyLock<Table> = LazyLock::new(|| {

@@ -87,4 +87,19 @@ pub(super) const TEXTS: &[Text] = &[
     ("contour map", "Höhenlinien"),
     ("Areas over the width of the tool", "Arbeitsbereiche über der Werkzeugbreite"),
     ("areas over the width of the worm", "Arbeitsbereiche über der Schneckenbreite"),
+    ("{} ×10{n}", "{} ×10{}"),
+    (
+        "Dressing the left flank: section through the thread space",
+        "Abrichten der linken Flanke: Schnitt durch die Ganglücke",
+    ),
+    (
+        "Dressing the right flank: section through the thread space",
+        "Abrichten der rechten Flanke: Schnitt durch die Ganglücke",
+    ),
+    (
+        "Dressing both flanks: section through the thread space",
+        "Abrichten beider Flanken: Schnitt durch die Ganglücke",
+    ),
+    ("where there is least room; tip land {n} mm", "wo am wenigsten Platz ist; Kopfbreite {} mm"),
+    ("where there is least room", "wo am wenigsten Platz ist"),
 ];

@@ -153,4 +153,13 @@ pub(super) const TEXTS: &[Text] = &[
     ),
     ("dressing the left flank, at most", "Abrichten der linken Flanke, höchstens"),
     ("dressing the right flank, at most", "Abrichten der rechten Flanke, höchstens"),
+    ("coefficient of z_V2 to the power {n}", "Koeffizient von z_V2 zur Potenz {}"),
+    (
+        "Measured lines, root mean square: {n} µm now, {n} µm expected, of which these settings cannot remove {n} µm. The plan of the corrected job decides which axes make it.",
+        "Gemessene Linien, quadratisches Mittel: {} µm jetzt, {} µm erwartet, davon können diese Einstellungen {} µm nicht beseitigen. Der Plan des korrigierten Auftrags entscheidet, welche Achsen es ausführen.",
+    ),
+    (
+        "Measured lines, root mean square: {n} µm now, {n} µm expected, of which these settings cannot remove {n} µm. The plan of the corrected job decides which axes make it. Too small to be turned: {}.",
+        "Gemessene Linien, quadratisches Mittel: {} µm jetzt, {} µm erwartet, davon können diese Einstellungen {} µm nicht beseitigen. Der Plan des korrigierten Auftrags entscheidet, welche Achsen es ausführen. Zu klein zum Ändern: {}.",
+    ),
 ];

@@ -77,4 +77,17 @@ pub(super) const TEXTS: &[Text] = &[
     ("Largest velocity", "Größte Geschwindigkeit"),
     ("Largest acceleration", "Größte Beschleunigung"),
     ("of limit", "der Grenze"),
+    ("The share is that of the machine's limit.", "Der Anteil ist der an der Grenze der Maschine."),
+    ("The share is that of the machine's limit. {}", "Der Anteil ist der an der Grenze der Maschine. {}"),
+    ("Standing still: {}.", "In Ruhe: {}."),
+    ("Turning as a spindle: {}.", "Als Spindel drehend: {}."),
+    ("Standing still: {}. Turning as a spindle: {}.", "In Ruhe: {}. Als Spindel drehend: {}."),
+    (
+        "Positions count as the machine file does; the control counts {} the other way.",
+        "Positionen zählen wie in der Maschinendatei; die Steuerung zählt {} andersherum.",
+    ),
+    (
+        "Positions count as the machine file does; the control counts {} the other way. {}",
+        "Positionen zählen wie in der Maschinendatei; die Steuerung zählt {} andersherum. {}",
+    ),
 ];

@@ -103,4 +103,5 @@ pub(super) const TEXTS: &[Text] = &[
     ),
     ("Sensitivity to {}, {}", "Empfindlichkeit gegen {}, {}"),
     ("{}, {}: no effect of first order.", "{}, {}: keine Wirkung erster Ordnung."),
+    ("dist{n}", "dist{}"),
 ];
