@@ -7,9 +7,9 @@ pub use ::run::program_check::{
 };
 pub use ::run::{
     Answer, AnyProcess, CharacteristicsUm, Conclusion, DerivedGeometry, DerivedQuantity, DerivedSection,
-    DocumentFormat, FlankMaps, JobFailure, Preview, PreviewChart, PreviewFlank, Process, Processes, Remark,
-    RunFailure, Task, TaskOutcome, WriteError, blank_of_job, cancel, gear_of_job, json, report_head, summary,
-    write_with_report,
+    DocumentFormat, FlankMaps, JobFailure, JobTitle, Preview, PreviewChart, PreviewFlank, Process, Processes,
+    Remark, RunFailure, Task, TaskOutcome, WriteError, blank_of_job, cancel, gear_of_job, json, report_head,
+    summary, write_with_report,
 };
 pub use generating_grinding::workflow::{
     AxisInfluence, AxisResult, Built, BuiltProgram, CandidateResult, CatalogueLimits, CatalogueOutcome,

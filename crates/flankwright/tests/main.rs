@@ -4,6 +4,7 @@
 mod clamping;
 mod crates;
 mod german_help;
+mod german_reports;
 mod hostile_files;
 mod line_programs;
 mod linuxcnc;

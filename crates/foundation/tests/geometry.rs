@@ -29,6 +29,31 @@ fn mirrored(data: GearData) -> Gear {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(400))]
 
+    /// Stock on the flanks thickens the tooth by what it measures along the base tangents; the span grows by both flanks' stock.
+    #[test]
+    fn stock_thickens_the_tooth(gear in gear(), left in 0.0..0.02f64, right in 0.0..0.02f64) {
+        let module = gear.data().normal_module;
+        let stock = Sides { left: left * module, right: right * module };
+        if let Ok(before) = gear.with_allowance(&stock) {
+            let r = gear.pitch_radius();
+            let base = gear.flanks().left.base_radius.max(gear.flanks().right.base_radius);
+            if let (Ok(thick), Ok(finished)) = (before.transverse_thickness(r, 0.0), gear.transverse_thickness(r, 0.0)) {
+                let wanted: f64 = Flank::BOTH
+                    .into_iter()
+                    .map(|side| {
+                        let f = gear.flank(side);
+                        stock[side] * r / (f.base_radius * f.base_helix_angle.cos())
+                    })
+                    .sum();
+                prop_assert!((thick - finished - wanted).abs() < 1e-9 * base, "{} {wanted}", thick - finished);
+            }
+            if let (Ok(wide), Ok(finished)) = (before.span(3), gear.span(3)) {
+                let grown = gear.external_sign() * (wide.length - finished.length);
+                prop_assert!((grown - stock.left - stock.right).abs() < 1e-9 * base, "{grown}");
+            }
+        }
+    }
+
     /// A point at a known distance over a known flank point is found again: f to 1e-10 mm, w and z to 1e-10 mm.
     #[test]
     fn offset_points_are_found_again(

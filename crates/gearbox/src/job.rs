@@ -27,7 +27,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use job::control::{ScaleInterpolation, Servo};
-use job::tables::JobInfo;
+use job::tables::{JobInfo, Language};
 
 /// A job of the electronic gearbox: reference pulses of the feed slide become an additional rotation of a helical workpiece.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -70,6 +70,10 @@ impl ProcessJob for GearboxJob {
 
     fn info(&self) -> &JobInfo {
         &self.job
+    }
+
+    fn language(&self) -> Language {
+        self.output.language
     }
 
     fn contradictions(&self) -> Vec<Diagnostic> {

@@ -53,7 +53,7 @@ pub use target::{Fit, Judged, JudgedTraces, Target, ToleranceMapSource, Toleranc
 pub use technology::{CostRates, CycleRule, PartTimes, Technology, TechnologyLimits, WormLife};
 pub use worm::{Tool, Worm};
 
-use job::tables::{Control, Gear, Grid, Hand, JobInfo, Machine, OneOrSides, Output};
+use job::tables::{Control, Gear, Grid, Hand, JobInfo, Language, Machine, OneOrSides, Output};
 use job::{Diagnostic, Document, Loaded, Problem, ProcessJob};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -155,6 +155,10 @@ impl ProcessJob for Job {
 
     fn info(&self) -> &JobInfo {
         &self.job
+    }
+
+    fn language(&self) -> Language {
+        self.output.language
     }
 
     /// Each of the tables `[worm]` and `[catalogue]` may be absent because the other is there.

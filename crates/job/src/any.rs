@@ -4,7 +4,7 @@ use super::diagnostic::Diagnostic;
 use super::document::Document;
 use super::job_error::JobError;
 use super::process_job::ProcessJob;
-use super::tables::JobInfo;
+use super::tables::{JobInfo, Language};
 use serde_json::Value;
 use std::any::Any;
 use std::fmt;
@@ -39,6 +39,7 @@ pub struct AnyJob(Arc<dyn ErasedJob>);
 /// What a job of any process has.
 trait ErasedJob: Send + Sync {
     fn info(&self) -> &JobInfo;
+    fn language(&self) -> Language;
     fn document(&self) -> &Document;
     fn value(&self) -> Result<Value, serde_json::Error>;
     fn pretty(&self) -> Result<String, serde_json::Error>;
@@ -49,6 +50,10 @@ trait ErasedJob: Send + Sync {
 impl<J: ProcessJob> ErasedJob for Loaded<J> {
     fn info(&self) -> &JobInfo {
         self.job.info()
+    }
+
+    fn language(&self) -> Language {
+        self.job.language()
     }
 
     fn document(&self) -> &Document {
@@ -82,6 +87,11 @@ impl AnyJob {
     /// Name and process.
     pub fn info(&self) -> &JobInfo {
         self.0.info()
+    }
+
+    /// Language of its report.
+    pub fn language(&self) -> Language {
+        self.0.language()
     }
 
     /// Text and places.

@@ -6,12 +6,14 @@ pub mod control;
 pub mod diameters;
 pub mod gear;
 pub mod passes;
+pub mod title_block;
 
 pub use clamping::check as clamping_bodies;
 pub use control::check as control_of_job;
 pub use diameters::{dresser_diameters, inside_tip, root_clearance, worm_diameters};
 pub use gear::check as drawing;
 pub use passes::falling_stock;
+pub use title_block::machine_named_twice;
 
 pub use super::contradiction::contradiction;
 

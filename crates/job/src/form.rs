@@ -90,13 +90,19 @@ impl<'s> Form<'s> {
     pub fn takes(&self, kind: &Kind) -> bool {
         let takes = |name: &str| self.types.contains(&name);
         match kind {
-            Kind::Null | Kind::Date(_) => false,
+            Kind::Null => false,
+            Kind::Date(_) => takes("string") && self.is_date(),
             Kind::Bool(_) => takes("boolean"),
             Kind::Integer(_) | Kind::Float(_) => takes("number") || takes("integer"),
             Kind::Text(_) => takes("string") || !self.words.is_empty(),
             Kind::List(_) => takes("array"),
             Kind::Table(_) => takes("object"),
         }
+    }
+
+    /// Whether its texts are dates.
+    pub fn is_date(&self) -> bool {
+        self.keyword("format").and_then(Value::as_str) == Some("date")
     }
 
     /// What the form takes, in words.
@@ -111,6 +117,7 @@ impl<'s> Form<'s> {
                 format!("a table {{ {} }}", keys.join(", "))
             }
             "array" => "a list".to_owned(),
+            "string" if self.is_date() => "a date YYYY-MM-DD".to_owned(),
             "string" => "a text".to_owned(),
             "boolean" => "true or false".to_owned(),
             "integer" => format!("a whole number{}", self.range_suffix()),

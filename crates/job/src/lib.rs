@@ -3,6 +3,7 @@
 
 mod any;
 pub mod bounded;
+mod calendar;
 pub mod checks;
 mod contradiction;
 pub mod control;

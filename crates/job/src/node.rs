@@ -31,7 +31,7 @@ pub enum Kind {
     Float(f64),
     /// A text.
     Text(String),
-    /// TOML only; no key of a job takes one.
+    /// TOML only; keys that hold dates take one in place of a text.
     Date(String),
     /// A list.
     List(Vec<Node>),

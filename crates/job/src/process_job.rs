@@ -2,7 +2,7 @@
 
 use super::diagnostic::Diagnostic;
 use super::document::Document;
-use super::tables::JobInfo;
+use super::tables::{JobInfo, Language};
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -21,6 +21,11 @@ pub trait ProcessJob:
 
     /// Name, process and description of the job.
     fn info(&self) -> &JobInfo;
+
+    /// Language of the report.
+    fn language(&self) -> Language {
+        Language::default()
+    }
 
     /// What the document lacks or names wrongly beyond what a schema can say.
     fn shape(_: &Document) -> Vec<Diagnostic> {

@@ -5,6 +5,7 @@ use std::collections::HashSet;
 
 use serde_json::Value;
 
+use super::calendar::is_date;
 use super::diagnostic::{Diagnostic, Problem};
 use super::form::{Form, listed};
 use super::node::{Entry, Kind, Node};
@@ -84,10 +85,10 @@ impl<'s> Walk<'s> {
         match &node.kind {
             Kind::Integer(value) => self.number(node, &fitting, *value as f64, path),
             Kind::Float(value) => self.number(node, &fitting, *value, path),
-            Kind::Text(text) => self.text(node, &forms, text, path),
+            Kind::Text(text) | Kind::Date(text) => self.text(node, &forms, text, path),
             Kind::List(items) => self.list(node, fitting[0], items, path),
             Kind::Table(entries) => self.table(node, &fitting, entries, path),
-            Kind::Null | Kind::Bool(_) | Kind::Date(_) => {}
+            Kind::Null | Kind::Bool(_) => {}
         }
     }
 
@@ -145,6 +146,16 @@ impl<'s> Walk<'s> {
 
     fn text(&mut self, node: &Node, forms: &[Form<'s>], text: &str, path: &str) {
         if let Some(free) = forms.iter().find(|f| f.words.is_empty() && f.takes(&Kind::Text(String::new()))) {
+            if free.is_date() && !is_date(text) {
+                self.findings.push(
+                    Diagnostic::new(Problem::UnknownValue, format!("`{path}` is no date of the calendar"))
+                        .field(path)
+                        .value(node.shown())
+                        .allowed(free.expected())
+                        .way_out(free.way_out().unwrap_or_else(|| "give year, month and day".to_owned()))
+                        .span(Some(node.span.clone())),
+                );
+            }
             let length = text.chars().count() as f64;
             let (least, most) = (free.number("minLength"), free.number("maxLength"));
             if least.is_some_and(|l| length < l) || most.is_some_and(|l| length > l) {

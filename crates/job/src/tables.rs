@@ -17,6 +17,6 @@ pub use gear::{Evaluation, EvaluationRange, Gear, OverBalls, Span};
 pub use grid::Grid;
 pub use machine::{BODY_CLEARANCE, Clamping, ClampingBody, Machine};
 pub use one_or_sides::{OneOrSides, one_or_sides_schema, pressure_angle_schema};
-pub use output::{Mesh, Output, Program, Table};
+pub use output::{Language, Mesh, Output, Program, Table};
 pub use process::{JobInfo, ProcessName};
 pub use target::{Modification, default_tolerance};

@@ -1,6 +1,7 @@
 //! From a document whose process is known to the checked job of that process.
 
 use super::any::Loaded;
+use super::checks::machine_named_twice;
 use super::diagnostic::{Diagnostic, Problem};
 use super::document::Document;
 use super::job_error::JobError;
@@ -19,6 +20,7 @@ pub(super) fn typed<J: ProcessJob>(
     let subject = shape::Subject { document: "the job", example: &example };
     let mut findings = shape::check(document.root(), schema, tables, subject);
     findings.extend(J::shape(&document));
+    findings.extend(machine_named_twice(&document));
     if !findings.is_empty() {
         return refuse(document, findings);
     }

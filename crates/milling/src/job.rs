@@ -44,7 +44,7 @@ use schemars::{JsonSchema, Schema, json_schema};
 use serde::{Deserialize, Serialize};
 
 use foundation::geometry::Flank;
-use job::tables::JobInfo;
+use job::tables::{JobInfo, Language};
 
 /// A job of five-axis milling: a cutter finishes the flanks of a gear, a bevel gear or a blade row by row.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -165,6 +165,10 @@ impl ProcessJob for MillingJob {
 
     fn info(&self) -> &JobInfo {
         &self.job
+    }
+
+    fn language(&self) -> Language {
+        self.output.language
     }
 
     fn contradictions(&self) -> Vec<Diagnostic> {

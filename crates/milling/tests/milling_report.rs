@@ -106,8 +106,8 @@ fn the_page_is_complete() {
     for program in &outcome.result.programs {
         assert!(text.contains(&program.file), "{}", program.file);
     }
-    // Three views, two maps, two sections, two charts of rows, wear, root, both flanks' rotary axes, axes of the space and of a row.
-    assert_eq!(assert_well_formed(&text), 15);
+    // A map on the first page; three views, two maps, two sections, two charts of rows, wear, root, both flanks' rotary axes, axes of the space and of a row.
+    assert_eq!(assert_well_formed(&text), 16);
     assert_eq!(text, page(&spur()));
 }
 
@@ -149,8 +149,8 @@ fn absent_data_leave_no_section() {
     ] {
         assert!(!text.contains(absent), "{absent}");
     }
-    // Three views, a map, two sections, two charts of rows.
-    assert_eq!(assert_well_formed(&text), 8);
+    // A map on the first page; three views, a map, two sections, two charts of rows.
+    assert_eq!(assert_well_formed(&text), 9);
 }
 
 #[test]

@@ -3,21 +3,28 @@
 
 use serde::Serialize;
 
-use super::charts::{Svg, format_significant};
+use super::charts::{Svg, format_fixed, format_significant};
+use super::first_page::{FirstPage, TitleBlock};
+use super::language::Language;
+use super::typeset::unit;
 use verdict::Status;
 
 /// A whole report.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PlanReport {
     /// Heading of the page, usually the name of the job.
     pub title: String,
     /// One sentence below it, usually the job's description.
     pub subtitle: Option<String>,
-    /// Short facts in the head: process, method, version.
-    pub facts: Vec<Fact>,
+    /// Language of the page; all texts are composed in English.
+    pub language: Language,
+    /// Part, drawing, customer, date, machine, author, process, version.
+    pub title_block: TitleBlock,
     /// The answer in one line.
     pub banner: Banner,
-    /// Everything else, in reading order. A section without blocks is not printed.
+    /// What stands with them on the first sheet.
+    pub first_page: FirstPage,
+    /// Everything else, in reading order, those of the appendix behind the others. A section without blocks is not printed.
     pub sections: Vec<Section>,
 }
 
@@ -95,12 +102,19 @@ pub struct Section {
     pub title: String,
     /// Content in reading order.
     pub blocks: Vec<Block>,
+    /// Whether it stands in the appendix: how values were found, not what they are.
+    pub appendix: bool,
 }
 
 impl Section {
     /// A section of the given blocks.
     pub fn new(id: impl Into<String>, title: impl Into<String>, blocks: Vec<Block>) -> Self {
-        Self { id: id.into(), title: title.into(), blocks }
+        Self { id: id.into(), title: title.into(), blocks, appendix: false }
+    }
+
+    /// The same in the appendix.
+    pub fn in_appendix(self) -> Self {
+        Self { appendix: true, ..self }
     }
 }
 
@@ -251,6 +265,16 @@ impl Quantity {
         Self::new(name, symbol, QuantityValue::Number(value), unit)
     }
 
+    /// A number with fixed decimals, for lists that are read in passing.
+    pub fn rounded(name: &str, symbol: &str, value: f64, decimals: usize, unit: &str) -> Self {
+        Self::shown(name, symbol, format_fixed(value, decimals), unit)
+    }
+
+    /// A value that is already formatted, with symbol and unit.
+    pub fn shown(name: &str, symbol: &str, value: impl Into<String>, unit: &str) -> Self {
+        Self::new(name, symbol, QuantityValue::Text(value.into()), unit)
+    }
+
     /// A count with its symbol ("" for none).
     pub fn count(name: &str, symbol: &str, value: i64) -> Self {
         Self::new(name, symbol, QuantityValue::Count(value), "")
@@ -286,6 +310,9 @@ impl Quantity {
 }
 
 impl Table {
+    /// Heading of the column with the names of quantities.
+    pub const QUANTITY: &'static str = "Quantity";
+
     /// A data sheet: name, symbol, value, unit.
     pub fn of_quantities(caption: impl Into<String>, quantities: &[Quantity]) -> Self {
         let per_flank = quantities
@@ -294,14 +321,14 @@ impl Table {
         Self {
             caption: caption.into(),
             columns: vec![
-                Column::text("Quantity"),
+                Column::text(Self::QUANTITY),
                 Column::symbols("Symbol"),
                 Column::number("Value", ""),
                 Column::text("Unit"),
             ],
             rows: quantities
                 .iter()
-                .map(|q| vec![q.name.clone(), q.symbol.clone(), q.value_text(), q.unit.clone()])
+                .map(|q| vec![q.name.clone(), q.symbol.clone(), q.value_text(), unit(&q.unit).into_owned()])
                 .collect(),
             note: if per_flank { "Two values: left / right flank.".to_owned() } else { String::new() },
         }

@@ -2,8 +2,8 @@
 
 use crate::cells::flank_title;
 use crate::charts::{
-    ChartError, ContourMap, FlankSections, LevelScale, NamedTopography, ProfileHelixDiagram, SectionTrace,
-    Svg, Topography, contour_map, profile_helix_diagram,
+    ChartError, ContourMap, FlankSections, LevelScale, NamedTopography, ProfileHelixDiagram, RangeMark,
+    SectionTrace, Svg, Topography, contour_map, profile_helix_diagram,
 };
 use crate::data::{Block, Figure};
 use crate::flank_pictures::{net_and_map, range_with_zero};
@@ -18,6 +18,10 @@ pub struct FlankStages {
     pub planned: Topography,
     /// What the referee left; the deviation is taken from it, from `planned` if it is absent.
     pub simulated: Option<Topography>,
+    /// Where evaluated profiles end, and their parts without reliefs; empty: at the ends of the grid.
+    pub profile_marks: Vec<RangeMark>,
+    /// The same of helix traces.
+    pub helix_marks: Vec<RangeMark>,
     /// Profile traces with their values; empty: three sections without values are drawn.
     pub profiles: Vec<SectionTrace>,
     /// Helix traces with their values; empty: three sections without values are drawn.
@@ -85,6 +89,15 @@ pub fn flank_picture(flanks: &DrawnFlanks, picture: FlankPicture) -> Result<Opti
     }
 }
 
+/// The picture of the first page: what comes out minus the target; `None` without flanks.
+///
+/// # Errors
+/// [`ChartError`] for flanks on different grids.
+pub fn first_picture(flanks: &DrawnFlanks) -> Result<Option<Figure>, ChartError> {
+    let svg = flank_picture(flanks, FlankPicture::Deviation)?;
+    Ok(svg.map(|svg| Figure::new("deviation-of-the-flanks", svg, "")))
+}
+
 fn deviations(flanks: &DrawnFlanks) -> Result<Vec<NamedTopography>, ChartError> {
     let mut deviations = Vec::new();
     for (side, flank) in flanks.iter() {
@@ -140,10 +153,11 @@ pub fn flank_diagram(flanks: &DrawnFlanks) -> Result<Vec<Block>, ChartError> {
     let svg = profile_helix_diagram(&ProfileHelixDiagram {
         title: "Profile and helix diagram".to_owned(),
         flanks: columns,
+        external: true,
         target_name: "target".to_owned(),
         simulated_name: if simulated { "simulated" } else { "planned" }.to_owned(),
     })?;
-    let caption = "Values normal to the flank, one scale for all traces. Face II: datum face, greatest z; face I: opposite, least z.";
+    let caption = "Values normal to the flank, one magnification for all traces; it holds on paper of A4. Face II: datum face, greatest z; face I: opposite, least z.";
     Ok(vec![Block::Figure(Figure::new("profile-and-helix-diagram", svg, caption))])
 }
 
@@ -154,7 +168,9 @@ fn sections(side: Flank, flank: &FlankStages) -> FlankSections {
         _ => traces.to_vec(),
     };
     FlankSections {
-        name: flank_title(side).to_owned(),
+        flank: side,
+        profile_marks: marks(&flank.profile_marks, made.w_mm()),
+        helix_marks: marks(&flank.helix_marks, made.z_mm()),
         profiles: given(&flank.profiles, &|made| {
             let places = three_places(made.z_mm());
             places.into_iter().map(|j| SectionTrace::profile(made, Some(&flank.target), j)).collect()
@@ -163,6 +179,16 @@ fn sections(side: Flank, flank: &FlankStages) -> FlankSections {
             let places = three_places(made.w_mm());
             places.into_iter().map(|i| SectionTrace::helix(made, Some(&flank.target), i)).collect()
         }),
+    }
+}
+
+/// The marks that are given, else the ends of the grid, which is the evaluated field.
+fn marks(given: &[RangeMark], grid: &[f64]) -> Vec<RangeMark> {
+    match (given, grid) {
+        ([], [first, .., last]) => {
+            [*first, *last].map(|at_mm| RangeMark { at_mm, ends_range: true }).to_vec()
+        }
+        _ => given.to_vec(),
     }
 }
 

@@ -3,6 +3,8 @@
 use verdict::Verdict;
 
 use super::data::{Banner, Block, Column, Fact, PlanReport, Section, Stamp, Table, Warning};
+use super::first_page::{FirstPage, TitleBlock};
+use super::language::Language;
 
 /// The job and its answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,10 +13,12 @@ pub struct ReportHead {
     pub job_name: String,
     /// Its description.
     pub description: Option<String>,
-    /// The process in words.
-    pub process: &'static str,
-    /// Version of flankwright.
-    pub version: String,
+    /// Language of the page.
+    pub language: Language,
+    /// Part, drawing, customer, date, machine, author, process, version.
+    pub title_block: TitleBlock,
+    /// What stands with it on the first sheet.
+    pub first_page: FirstPage,
     /// How it ended.
     pub status: Stamp,
     /// The answer in one sentence.
@@ -43,12 +47,14 @@ impl ReportHead {
         PlanReport {
             title: self.job_name.clone(),
             subtitle: self.description.clone(),
-            facts: vec![Fact::new("Process", self.process), Fact::new("Version", self.version.clone())],
+            language: self.language,
+            title_block: self.title_block.clone(),
             banner: Banner {
                 status: self.status,
                 headline,
                 figures: self.figures.iter().map(|(label, text)| Fact::new(label, text)).collect(),
             },
+            first_page: self.first_page.clone(),
             sections: warnings.into_iter().chain(sections).chain([files]).collect(),
         }
     }

@@ -6,14 +6,16 @@
 //! composes its pages from its results.
 //!
 //! ```
-//! use report::{Banner, Block, PlanReport, Section, html};
+//! use report::{Banner, Block, FirstPage, Language, PlanReport, Section, TitleBlock, html};
 //! use verdict::Status;
 //!
 //! let page = PlanReport {
 //!     title: "housing <A>".into(),
 //!     subtitle: None,
-//!     facts: vec![],
+//!     language: Language::English,
+//!     title_block: TitleBlock::of_process("Milling", "1.0"),
 //!     banner: Banner { status: Status::Met.into(), headline: "within 1 um".into(), figures: vec![] },
+//!     first_page: FirstPage::default(),
 //!     sections: vec![Section::new("result", "Result", vec![Block::Paragraph("All is well.".into())])],
 //! };
 //! let text = html::render(&page);
@@ -25,18 +27,27 @@ pub mod html;
 
 pub mod cells;
 pub mod data;
+pub mod first_page;
 pub mod flank_pictures;
 pub mod flank_stages;
 pub mod head;
 pub mod ids;
+mod language;
 pub mod placed;
-pub mod typeset;
+mod texts;
+mod typeset;
 
 pub use data::{
     Banner, Block, Column, ColumnKind, Fact, Figure, PlanReport, Quantity, QuantityValue, Section, Stamp,
     Table, Warning,
 };
-pub use flank_stages::{DrawnFlanks, FlankPicture, FlankStages, flank_diagram, flank_figures, flank_picture};
+pub use first_page::{FirstPage, Sheet, TitleBlock};
+pub use flank_stages::{
+    DrawnFlanks, FlankPicture, FlankStages, first_picture, flank_diagram, flank_figures, flank_picture,
+};
 pub use head::ReportHead;
 pub use ids::kebab;
+pub use language::Language;
 pub use placed::{PlacedChart, charts_of_page};
+pub use texts::{TextKind, texts};
+pub use typeset::unit;

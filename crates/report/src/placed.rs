@@ -63,6 +63,7 @@ mod tests {
     use crate::charts::Canvas;
     use crate::data::{Banner, Block, Figure, PlanReport, Section};
     use crate::html;
+    use crate::{FirstPage, Language, TitleBlock};
     use verdict::Status;
 
     #[test]
@@ -85,7 +86,15 @@ mod tests {
             ),
         ];
         let banner = Banner { status: Status::Met.into(), headline: String::new(), figures: vec![] };
-        let page = PlanReport { title: "A".into(), subtitle: None, facts: vec![], banner, sections };
+        let page = PlanReport {
+            title: "A".into(),
+            subtitle: None,
+            language: Language::English,
+            title_block: TitleBlock::default(),
+            banner,
+            first_page: FirstPage::default(),
+            sections,
+        };
         let text = html::render(&page);
         let found = charts_of_page(&text);
         let told: Vec<[&str; 3]> =

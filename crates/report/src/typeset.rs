@@ -1,6 +1,8 @@
 //! Text of results as a page prints it: units and the symbols of ISO 1328 that command and files spell in plain letters.
 
-use super::charts::escape;
+use super::charts::{escape, format_significant, indices};
+use super::language::Language;
+use std::borrow::Cow;
 
 /// Symbols in plain letters, and printed.
 const SYMBOLS: [(&str, &str); 10] = [
@@ -16,9 +18,61 @@ const SYMBOLS: [(&str, &str); 10] = [
     ("fKu", "f<sub>Ku</sub>"),
 ];
 
+/// Sets texts of a page in its language.
+#[derive(Clone, Copy)]
+pub(super) struct Setter(pub(super) Language);
+
+impl Setter {
+    /// Running text and cells.
+    pub(super) fn running(self, text: &str) -> String {
+        typeset(&self.0.say(text))
+    }
+
+    /// Headings and attributes: nothing but the language.
+    pub(super) fn label(self, text: &str) -> String {
+        escape(&self.0.say(text))
+    }
+
+    /// Text with symbols, whose indices stand below the line.
+    pub(super) fn symbols(self, text: &str) -> String {
+        let said = self.0.say(text);
+        let set = |(piece, below): (String, bool)| {
+            let piece = escape(&piece);
+            if below { format!("<sub>{piece}</sub>") } else { piece }
+        };
+        indices(&said).into_iter().map(set).collect()
+    }
+
+    /// A unit that stands alone.
+    pub(super) fn unit(self, text: &str) -> String {
+        escape(&self.0.say(&unit(text)))
+    }
+}
+
+/// A unit as pages print it: files and keys spell it in plain letters.
+pub fn unit(text: &str) -> Cow<'_, str> {
+    let plain = |word: &str| match word {
+        "um" => "µm".to_owned(),
+        "deg" => "°".to_owned(),
+        "urad" => "µrad".to_owned(),
+        other => other.to_owned(),
+    };
+    match text {
+        "" | "mm" => Cow::Borrowed(text),
+        _ => {
+            let words: Vec<String> = text
+                .split('/')
+                .map(|part| part.split(' ').map(plain).collect::<Vec<_>>().join(" "))
+                .collect();
+            Cow::Owned(words.join("/"))
+        }
+    }
+}
+
 /// Escaped text: a number's `um` and `deg` as µm and °, symbols with their indices. What stands in quotes of any kind, in keys and in names
 /// of files stays as it is.
 pub(super) fn typeset(text: &str) -> String {
+    let text = &rounded(text);
     let mut page = String::with_capacity(text.len() + 16);
     let mut before: Option<&str> = None;
     // Spaces stay with the word that they follow, so that all of them are kept.
@@ -49,6 +103,35 @@ pub(super) fn typeset(text: &str) -> String {
     page
 }
 
+/// Decimals from which on a number shows how computers store it, not what it is.
+const NEEDLESS_DECIMALS: usize = 10;
+
+/// Text whose numbers with needless decimals are rounded: `3.0000000000000004` is 3.
+fn rounded(text: &str) -> Cow<'_, str> {
+    let is_number = |c: char| c.is_ascii_digit() || c == '.';
+    let long = |word: &str| {
+        let (whole, decimals) = word.split_once('.')?;
+        let plain = !whole.is_empty() && decimals.bytes().all(|b| b.is_ascii_digit());
+        (plain && decimals.len() >= NEEDLESS_DECIMALS).then(|| word.parse::<f64>().ok())?
+    };
+    if !text.split(|c| !is_number(c)).any(|word| long(word).is_some()) {
+        return Cow::Borrowed(text);
+    }
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(start) = rest.find(is_number) {
+        let (before, number) = rest.split_at(start);
+        let end = number.find(|c| !is_number(c)).unwrap_or(number.len());
+        out += before;
+        match long(&number[..end]) {
+            Some(value) => out += &format_significant(value, 7),
+            None => out += &number[..end],
+        }
+        rest = &number[end..];
+    }
+    Cow::Owned(out + rest)
+}
+
 /// Whether a word ends with a digit, so that a unit may follow.
 fn ends_a_number(word: &str) -> bool {
     word.ends_with(|c: char| c.is_ascii_digit())
@@ -75,7 +158,22 @@ fn symbols(word: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::typeset;
+    use super::{typeset, unit};
+
+    #[test]
+    fn units_alone_are_printed() {
+        for (plain, printed) in [
+            ("um", "µm"),
+            ("deg", "°"),
+            ("deg/s", "°/s"),
+            ("um per m", "µm per m"),
+            ("mm", "mm"),
+            ("", ""),
+            ("µm/Nm", "µm/Nm"),
+        ] {
+            assert_eq!(unit(plain), printed);
+        }
+    }
 
     #[test]
     fn units_of_numbers_are_printed() {
@@ -83,6 +181,15 @@ mod tests {
         assert_eq!(typeset("turns 18.16 deg along, 90 deg/s (0.5 deg)"), "turns 18.16° along, 90°/s (0.5°)");
         assert_eq!(typeset("5.2 of 4.5 um"), "5.2 of 4.5 µm");
         assert_eq!(typeset("2  um  wide "), "2  µm  wide ");
+    }
+
+    #[test]
+    fn needless_decimals_are_rounded() {
+        assert_eq!(typeset("3.0000000000000004 deg, 19.252409926977002 mm"), "3°, 19.25241 mm");
+        assert_eq!(typeset("-1.0783992795489268 mm"), "-1.078399 mm");
+        for text in ["0.25 mm", "version 0.1.0", "1.5.2", "0.123456789", "…", "12.", "name.0123456789a"] {
+            assert_eq!(typeset(text), text);
+        }
     }
 
     #[test]

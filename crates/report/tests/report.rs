@@ -6,12 +6,15 @@ use proptest::prelude::*;
 use report::charts::{
     AxisChart, AxisChartLimits, ChartError, ContourMap, DressingSectionChart, FlankSections, LevelScale,
     LineChart, MarkedClearance, NamedTopography, OccupationBar, OccupationKind, OccupationRow, Panel,
-    ProfileHelixDiagram, SectionKind, SectionStretch, SectionTrace, Series, SpaceFlank, Svg, Topography,
-    TopographyNet, WormOccupationChart, YScale, axis_chart, contour_map, dressing_section_chart,
+    ProfileHelixDiagram, RangeMark, SectionKind, SectionStretch, SectionTrace, Series, SpaceFlank, Svg,
+    Topography, TopographyNet, WormOccupationChart, YScale, axis_chart, contour_map, dressing_section_chart,
     format_fixed, format_significant, line_chart, profile_helix_diagram, topography_net,
     worm_occupation_chart,
 };
-use report::{Banner, Block, Column, Fact, PlanReport, Quantity, Section, Table, Warning, html};
+use report::{
+    Banner, Block, Column, Fact, FirstPage, Language, PlanReport, Quantity, Section, Sheet, Table,
+    TitleBlock, Warning, html,
+};
 use verdict::Status;
 
 /// All text of a chart without its markup; panics if the chart is not well-formed XML or holds no number.
@@ -51,16 +54,19 @@ fn map(panels: Vec<NamedTopography>) -> Svg {
     contour_map(&ContourMap { title: "Topography".into(), quantity, panels, scale: None }).unwrap()
 }
 
-fn diagram(name: &str, topography: &Topography) -> ProfileHelixDiagram {
+fn diagram(flank: Flank, topography: &Topography) -> ProfileHelixDiagram {
     let mut profile = SectionTrace::profile(topography, Some(topography), 20);
     profile.values_um = vec![("C_α".into(), 5.0)];
     ProfileHelixDiagram {
         title: "Diagram".into(),
         flanks: vec![FlankSections {
-            name: name.into(),
+            flank,
             profiles: vec![profile],
             helices: vec![SectionTrace::helix(topography, None, 20)],
+            profile_marks: vec![RangeMark { at_mm: 5.0, ends_range: true }],
+            helix_marks: vec![RangeMark { at_mm: 12.0, ends_range: false }],
         }],
+        external: true,
         target_name: "target".into(),
         simulated_name: "simulated".into(),
     }
@@ -122,11 +128,20 @@ fn a_shared_scale_gives_equal_colours_to_equal_values() {
 #[test]
 fn a_diagram_has_bars_ends_and_values() {
     let topography = field(crowned);
-    let text = text_of(&profile_helix_diagram(&diagram("Left flank", &topography)).unwrap());
+    let text = text_of(&profile_helix_diagram(&diagram(Flank::Left, &topography)).unwrap());
     assert_holds(&text, &["Diagram", "Profile, left flank", "Helix, left flank", "target", "simulated"]);
     assert_holds(
         &text,
-        &["µm (value)", "mm (w, upwards)", "mm (z, upwards)", "root", "tip", "face I", "face II"],
+        &[
+            "w [mm]",
+            "z [mm]",
+            "root",
+            "tip",
+            "face I (not datum)",
+            "face II (datum)",
+            "evaluated range",
+            "material",
+        ],
     );
     assert_holds(&text, &["z = 0.00 mm", "w = 13.50 mm", "Cα = 5.00 µm"]);
 }
@@ -410,7 +425,7 @@ fn constant_data_are_drawn() {
         let constant = || both(|_| field(|_, _| value));
         text_of(&net(constant()));
         text_of(&map(constant()));
-        text_of(&profile_helix_diagram(&diagram("Left", &field(|_, _| value))).unwrap());
+        text_of(&profile_helix_diagram(&diagram(Flank::Left, &field(|_, _| value))).unwrap());
         text_of(&one_line("a", vec![0.0, 1.0], vec![value; 2], 0.0).unwrap());
         text_of(&one_line("a", vec![value], vec![value], 0.0).unwrap());
     }
@@ -438,7 +453,7 @@ proptest! {
             text_of(&map(both(|_| topography.clone())));
             text_of(&net(both(|_| topography.clone())));
             let trace = SectionTrace::helix(&topography, Some(&topography), 1);
-            let mut sheet = diagram("Left", &field(crowned));
+            let mut sheet = diagram(Flank::Left, &field(crowned));
             sheet.flanks[0].helices = vec![trace];
             text_of(&profile_helix_diagram(&sheet).unwrap());
         }
@@ -494,10 +509,10 @@ fn what_is_not_finite_is_refused() {
         let error = one_line("a", vec![0.0, 1.0], vec![0.0, wrong], 0.0).unwrap_err();
         assert!(matches!(error, ChartError::InvalidNumber { index: 1, .. }));
         assert!(one_line("a", vec![wrong, 1.0], vec![0.0, 0.0], 0.0).is_err());
-        let mut sheet = diagram("Left", &field(crowned));
+        let mut sheet = diagram(Flank::Left, &field(crowned));
         sheet.flanks[0].profiles[0].simulated_um[3] = wrong;
         assert!(matches!(profile_helix_diagram(&sheet), Err(ChartError::InvalidNumber { index: 3, .. })));
-        let mut sheet = diagram("Left", &field(crowned));
+        let mut sheet = diagram(Flank::Left, &field(crowned));
         sheet.flanks[0].profiles[0].values_um[0].1 = wrong;
         assert!(profile_helix_diagram(&sheet).is_err());
         let range_um = Some((0.0, wrong));
@@ -535,7 +550,7 @@ const NASTY: &str = "<script>alert(\"1\")</script> & 'x' \u{0}\u{1b}";
 fn texts_are_escaped_in_charts() {
     let topography = field(crowned);
     let panels = || vec![NamedTopography::new(NASTY, topography.clone())];
-    let mut sheet = diagram(NASTY, &topography);
+    let mut sheet = diagram(Flank::Right, &topography);
     sheet.title = NASTY.into();
     let charts = [
         topography_net(&TopographyNet { title: NASTY.into(), panels: panels(), range_um: None }).unwrap(),
@@ -561,7 +576,23 @@ fn texts_are_escaped_on_the_page() {
     let page = html::render(&PlanReport {
         title: nasty(),
         subtitle: Some(nasty()),
-        facts: vec![Fact::new(NASTY, NASTY)],
+        language: Language::English,
+        title_block: TitleBlock {
+            part_number: Some(nasty()),
+            drawing_number: Some(nasty()),
+            customer: Some(nasty()),
+            machine: Some(nasty()),
+            date: Some(nasty()),
+            author: Some(nasty()),
+            process: nasty(),
+            version: nasty(),
+        },
+        first_page: FirstPage {
+            scope: nasty(),
+            picture: None,
+            values: None,
+            sheets: vec![Sheet::new(NASTY, vec![Quantity::shown(NASTY, NASTY, NASTY, NASTY)]).remark(NASTY)],
+        },
         banner: Banner {
             status: Status::Missed.into(),
             headline: nasty(),

@@ -96,6 +96,8 @@ impl Preview {
                 target: map(&of.target_um)?,
                 planned: map(&of.planned_um)?,
                 simulated: None,
+                profile_marks: Vec::new(),
+                helix_marks: Vec::new(),
                 profiles: Vec::new(),
                 helices: Vec::new(),
             }))

@@ -1,7 +1,7 @@
 //! How the page of a job begins and ends, from its result.
 
-use job::tables::JobInfo;
-use report::{ReportHead, Warning};
+use super::job_title::JobTitle;
+use report::{FirstPage, ReportHead, Warning};
 use verdict::{Remark, Status};
 
 /// What a job came to.
@@ -18,16 +18,19 @@ pub struct Answer<'a> {
     pub headline: String,
     /// Figures of the banner: label and text.
     pub figures: Vec<(String, String)>,
+    /// What else stands on the first page; its scope is the verdict's.
+    pub first_page: FirstPage,
 }
 
 /// The head of a job's page.
-pub fn report_head(job: &JobInfo, answer: Answer<'_>, files: &[(String, &'static str)]) -> ReportHead {
+pub fn report_head(job: JobTitle<'_>, answer: Answer<'_>, files: &[(String, &'static str)]) -> ReportHead {
     let warning = |w: &Remark| Warning { text: w.text.clone(), way_out: w.way_out.clone() };
     ReportHead {
-        job_name: job.name.clone(),
-        description: job.description.clone(),
-        process: answer.process,
-        version: env!("CARGO_PKG_VERSION").into(),
+        job_name: job.info.name.clone(),
+        description: job.info.description.clone(),
+        language: job.language(),
+        title_block: job.title_block(answer.process),
+        first_page: answer.first_page,
         status: answer.status.into(),
         headline: answer.headline,
         way_out: answer.reason.map_or_else(String::new, |reason| reason.way_out.clone()),

@@ -1,15 +1,15 @@
 //! Chamfering of the tips of teeth, as a process: which tip land a chamfer of both flanks leaves. Small on purpose.
 
 use erased_serde::Serialize as AnySerialize;
-use flankwright::exchange::job::{Gear, JobInfo};
+use flankwright::exchange::job::{Gear, JobInfo, Language};
 use flankwright::exchange::{Diagnostic, Loaded, ProcessJob, checks};
 use flankwright::geometry::Flank;
 use flankwright::numerics::Progress;
-use flankwright::report::{Block, Section, html};
+use flankwright::report::{Block, FirstPage, Section, html};
 use flankwright::verdict::{Remark, Verdict};
 use flankwright::workflow::{
-    Answer, DerivedGeometry, DocumentFormat, JobFailure, Process, RunFailure, Task, TaskOutcome, WriteError,
-    gear_of_job, json, report_head, summary, write_with_report,
+    Answer, DerivedGeometry, DocumentFormat, JobFailure, JobTitle, Process, RunFailure, Task, TaskOutcome,
+    WriteError, gear_of_job, json, report_head, summary, write_with_report,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -102,10 +102,12 @@ impl TaskOutcome for ChamferOutcome {
                 warnings: &[],
                 headline: format!("The chamfers leave a tip land of {:.3} mm.", result.land_left_mm),
                 figures: Vec::new(),
+                first_page: FirstPage::default(),
             };
+            let title = JobTitle::new(&self.head, Language::default());
             let text = format!("The tip land is {:.3} mm wide before chamfering.", result.tip_land_mm);
             let sections = vec![Section::new("tip-land", "Tip land", vec![Block::Paragraph(text)])];
-            Ok(html::render(&report_head(&self.head, answer, named).page(sections)))
+            Ok(html::render(&report_head(title, answer, named).page(sections)))
         })
     }
 

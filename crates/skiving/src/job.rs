@@ -35,7 +35,7 @@ use job::{Diagnostic, Loaded, ProcessJob};
 use schemars::{JsonSchema, Schema, json_schema};
 use serde::{Deserialize, Serialize};
 
-use job::tables::{Gear, JobInfo};
+use job::tables::{Gear, JobInfo, Language};
 
 /// A job of measuring a skiving tool: poses and program for the light barrier, readings simulated or read, what they say of the tool and
 /// of the workpiece to come.
@@ -139,6 +139,10 @@ impl ProcessJob for SkivingJob {
 
     fn info(&self) -> &JobInfo {
         &self.job
+    }
+
+    fn language(&self) -> Language {
+        self.output.language
     }
 
     fn contradictions(&self) -> Vec<Diagnostic> {

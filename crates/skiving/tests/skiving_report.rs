@@ -117,15 +117,15 @@ fn every_section_stands_in_its_order_and_every_chart_is_well_formed() {
         "Measuring poses",
         "Profile of the workpiece",
         "Corrections",
-        "Comparison with the conventional method",
-        "Monte Carlo",
         "Tool, workpiece and measurement",
         "Programs",
         "Files",
+        "Comparison with the conventional method",
+        "Monte Carlo",
     ];
     assert_eq!(titles, wanted);
     let drawn = charts(&text);
-    assert_eq!(drawn.len(), 11);
+    assert_eq!(drawn.len(), 12);
     for svg in drawn {
         let text = text_of(svg);
         assert!(text.contains('['), "no unit in {text}");

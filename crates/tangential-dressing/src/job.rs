@@ -30,7 +30,7 @@ use job::{Diagnostic, Document, Loaded, ProcessJob};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use job::tables::{Control, Gear, Grid, Hand, JobInfo, Machine, Output};
+use job::tables::{Control, Gear, Grid, Hand, JobInfo, Language, Machine, Output};
 
 /// A job of tangential dressing: a worm is dressed by one motion along its axis, modified as function of the position of the
 /// dresser, and grinds the gear with a shift that follows the feed.
@@ -98,6 +98,10 @@ impl ProcessJob for TangentialJob {
 
     fn info(&self) -> &JobInfo {
         &self.job
+    }
+
+    fn language(&self) -> Language {
+        self.output.language
     }
 
     fn shape(document: &Document) -> Vec<Diagnostic> {

@@ -181,15 +181,44 @@ impl Verdict {
 
     /// The scope in one sentence: what was judged, then what was not.
     pub fn scope_in_words(&self) -> String {
-        let list = |names: Vec<&str>| names.join(", ");
-        let judged = list(self.judged.iter().map(|one| one.item.as_str()).collect());
-        let not = list(self.not_judged.iter().map(|one| one.item.as_str()).collect());
-        match (judged.is_empty(), not.is_empty()) {
-            (true, true) => "Nothing was judged.".to_owned(),
-            (true, false) => format!("Not judged: {not}."),
-            (false, true) => format!("Judged: {judged}."),
-            (false, false) => format!("Judged: {judged}. Not judged: {not}."),
+        let judged = self.judged.iter().map(|one| one.item.as_str()).collect();
+        let not = self.not_judged.iter().map(|one| one.item.as_str()).collect();
+        scope(judged, not, |names| names.join(", "))
+    }
+
+    /// The same in short: the first few items, of those that were judged each group once.
+    pub fn scope_in_short(&self) -> String {
+        let judged = groups(self.judged.iter().map(|one| one.item.as_str()));
+        let not = self.not_judged.iter().map(|one| one.item.as_str()).collect();
+        scope(judged, not, |names| match names.get(..FEW) {
+            Some(few) if names.len() > FEW => format!("{}; {} more", few.join(", "), names.len() - FEW),
+            _ => names.join(", "),
+        })
+    }
+}
+
+/// Items that a short scope names.
+const FEW: usize = 3;
+
+/// What stands before the colon of items, each once.
+fn groups<'a>(items: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let mut found = Vec::new();
+    for item in items {
+        let group = item.split_once(": ").map_or(item, |(group, _)| group);
+        if !found.contains(&group) {
+            found.push(group);
         }
+    }
+    found
+}
+
+fn scope(judged: Vec<&str>, not: Vec<&str>, list: impl Fn(&[&str]) -> String) -> String {
+    let (judged, not) = (list(&judged), list(&not));
+    match (judged.is_empty(), not.is_empty()) {
+        (true, true) => "Nothing was judged.".to_owned(),
+        (true, false) => format!("Not judged: {not}."),
+        (false, true) => format!("Judged: {judged}."),
+        (false, false) => format!("Judged: {judged}. Not judged: {not}."),
     }
 }
 
@@ -284,5 +313,8 @@ mod tests {
         assert_eq!(document["scope"]["judged"][0]["item"], "left flank");
         assert_eq!(document["scope"]["not_judged"][0]["asked"], true);
         assert_eq!(verdict.scope_in_words(), "Judged: left flank. Not judged: root.");
+        assert_eq!(verdict.scope_in_short(), verdict.scope_in_words());
+        let many = groups(["a: b", "a: c", "d", "e", "f", "g", "h"].into_iter());
+        assert_eq!(many, ["a", "d", "e", "f", "g", "h"]);
     }
 }

@@ -23,6 +23,8 @@ export const WORDS_DE: Record<string, string> = {
   up: "aufwärts",
   down: "abwärts",
   all: "alle",
+  en: "Englisch",
+  de: "Deutsch",
   climb: "Gleichlauf",
   conventional: "Gegenlauf",
   "end-mill": "Schaftfräser",

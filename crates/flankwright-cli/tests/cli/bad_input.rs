@@ -98,6 +98,13 @@ const CASES: &[Case] = &[
     case("[job]", "job = 3\n[jobs]", "wrong-type", "job", &["a table"]),
     // words
     case(
+        "[output]\n",
+        "[output]\nlanguage = \"fr\"\n",
+        "unknown-value",
+        "output.language",
+        &["\"fr\"", "\"en\", \"de\""],
+    ),
+    case(
         "hand = \"left\"",
         "hand = \"lefthand\"",
         "unknown-value",
@@ -271,6 +278,55 @@ const CASES: &[Case] = &[
         "unknown-value",
         "job.name",
         &["1 to 100 characters"],
+    ),
+    case(
+        "name = \"twist-free-crowning\"",
+        "name = \"twist-free-crowning\"\ndate = \"31.03.2026\"",
+        "unknown-value",
+        "job.date",
+        &["31.03.2026", "YYYY-MM-DD", "year, month and day"],
+    ),
+    case(
+        "name = \"twist-free-crowning\"",
+        "name = \"twist-free-crowning\"\ndate = 2026-03-31T10:00:00",
+        "unknown-value",
+        "job.date",
+        &["2026-03-31T10:00:00", "YYYY-MM-DD"],
+    ),
+    case(
+        "name = \"twist-free-crowning\"",
+        "name = \"twist-free-crowning\"\ndate = 20260331",
+        "wrong-type",
+        "job.date",
+        &["20260331", "a date YYYY-MM-DD"],
+    ),
+    case(
+        "name = \"twist-free-crowning\"",
+        "name = \"twist-free-crowning\"\npart_number = 4711",
+        "wrong-type",
+        "job.part_number",
+        &["4711", "a text"],
+    ),
+    case(
+        "name = \"twist-free-crowning\"",
+        "name = \"twist-free-crowning\"\ndrawing_number = \"\"",
+        "unknown-value",
+        "job.drawing_number",
+        &["1 to 100 characters"],
+    ),
+    case(
+        "name = \"twist-free-crowning\"",
+        "name = \"twist-free-crowning\"\ncustommer = \"A\"",
+        "unknown-key",
+        "job.custommer",
+        &["did you mean `customer`"],
+    ),
+    case(
+        "name = \"twist-free-crowning\"",
+        "name = \"twist-free-crowning\"\nmachine_name = \"grinder\"",
+        "invalid-job",
+        "job.machine_name",
+        &["grinder", "no `machine.file`", "delete job.machine_name"],
     ),
     // targets
     case(

@@ -93,6 +93,20 @@ impl Gear {
         None
     }
 
+    /// The gear with so much more material on its flanks, mm, normal: before a stock is taken off.
+    ///
+    /// # Errors
+    /// Those of [`Gear::new`], among them a tooth that becomes pointed.
+    pub fn with_allowance(&self, allowance: &Sides<f64>) -> Result<Self, GeometryError> {
+        let (mut narrower, mut per_shift) = (0.0, 0.0);
+        for (side, f) in self.flanks().iter() {
+            narrower += allowance[side] / (f.base_radius * f.base_helix_angle.cos());
+            per_shift += 2.0 * self.data().pressure_angle[side].tan() / self.tooth_count();
+        }
+        let profile_shift = self.data().profile_shift + narrower / per_shift;
+        Self::new(GearData { profile_shift, ..*self.data() })
+    }
+
     fn require_span(&self) -> Result<(), GeometryError> {
         let reason = if !self.is_cylindrical() {
             "the gear is conical"

@@ -1,5 +1,6 @@
 //! `[output]` of the electronic gearbox.
 
+use job::tables::Language;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -7,6 +8,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct GearboxOutput {
+    /// Language of the report; default English.
+    #[serde(skip_serializing_if = "Language::is_default")]
+    pub language: Language,
     /// Every pulse as a table.
     pub pulse_trace: bool,
 }

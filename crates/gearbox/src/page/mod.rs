@@ -5,6 +5,7 @@ mod answer;
 mod bands;
 mod budget;
 mod errors;
+mod first_page;
 mod quantities;
 mod servo;
 mod set_up_chart;
@@ -13,15 +14,24 @@ mod set_ups;
 use crate::workflow::GearboxOutcome;
 use quantities::{counters, coupling, settings};
 use report::charts::ChartError;
-use report::{Block, Section, Table, html};
-use run::{Answer, report_head};
+use report::{Block, PlanReport, Section, Table, html};
+use run::{Answer, JobTitle, report_head};
 
 /// The report of a run as a self-contained HTML page.
 ///
 /// # Errors
 /// A number that is not finite.
 pub fn html_page(outcome: &GearboxOutcome, files: &[(String, &'static str)]) -> Result<String, ChartError> {
+    Ok(html::render(&page(outcome, files)?))
+}
+
+/// The same as data.
+///
+/// # Errors
+/// As [`html_page`].
+pub fn page(outcome: &GearboxOutcome, files: &[(String, &'static str)]) -> Result<PlanReport, ChartError> {
     let result = &outcome.result;
+    let sections = sections(outcome)?;
     let answer = Answer {
         process: "Electronic gearbox",
         status: result.verdict.status(),
@@ -29,9 +39,11 @@ pub fn html_page(outcome: &GearboxOutcome, files: &[(String, &'static str)]) -> 
         warnings: &result.warnings,
         headline: answer::headline(result),
         figures: answer::figures(result),
+        first_page: first_page::first_page(result, &sections),
     };
-    let head = report_head(&outcome.prepared.info, answer, files);
-    Ok(html::render(&head.page(sections(outcome)?)))
+    let title = JobTitle::new(&outcome.prepared.info, outcome.prepared.language);
+    let head = report_head(title, answer, files);
+    Ok(head.page(sections))
 }
 
 fn sections(outcome: &GearboxOutcome) -> Result<Vec<Section>, ChartError> {

@@ -2,12 +2,12 @@
 
 use super::content::GrindingPage;
 use super::drawn_values::drawn_values;
-use super::{motions, ratio, strokes, summary};
+use super::{first_page, motions, ratio, strokes, summary};
 use report::charts::{ChartError, DressingSectionChart, dressing_section_chart, worm_occupation_chart};
 use report::head::scope_blocks;
 use report::{
-    Block, Column, DrawnFlanks, Fact, Figure, PlanReport, Section, Table, Warning, flank_diagram,
-    flank_figures, kebab,
+    Block, Column, DrawnFlanks, Figure, FirstPage, PlanReport, Section, Table, Warning, first_picture,
+    flank_diagram, flank_figures, kebab,
 };
 use verdict::Remark;
 
@@ -40,20 +40,38 @@ impl GrindingPage<'_> {
             Section::new("gearbox-and-servo", "Gearbox and servo", self.control.clone()),
             Section::new("stock-strokes-and-cost", "Stock, strokes and cost", self.removal.clone()),
             Section::new("nc-programs", "NC programs", self.programs.clone()),
-            Section::new(VERIFICATION, "How it was verified", self.verification.clone()),
+            Section::new("files", "Files", self.files()),
+            Section::new(
+                "choice-of-the-diagonal-ratio",
+                "Choice of the diagonal ratio",
+                self.ratio.map_or(Ok(Vec::new()), ratio::choice)?,
+            )
+            .in_appendix(),
+            Section::new(VERIFICATION, "How it was verified", self.verification.clone()).in_appendix(),
             Section::new(
                 "convergence-of-the-precompensation",
                 "Convergence of the precompensation",
                 self.convergence.map_or(Ok(Vec::new()), motions::convergence)?,
-            ),
-            Section::new("time-and-files", "Time and files", self.files()),
+            )
+            .in_appendix(),
         ];
         Ok(PlanReport {
-            title: self.info.name.clone(),
-            subtitle: self.info.description.clone(),
-            facts: vec![Fact::new("Process", self.process), Fact::new("flankwright", self.version)],
+            title: self.title.info.name.clone(),
+            subtitle: self.title.info.description.clone(),
+            language: self.title.language(),
+            title_block: self.title.title_block(self.process),
             banner: summary::banner(self),
+            first_page: self.first_page(&drawn)?,
             sections: sections.into_iter().filter(|section| !section.blocks.is_empty()).collect(),
+        })
+    }
+
+    fn first_page(&self, drawn: &DrawnFlanks) -> Result<FirstPage, ChartError> {
+        Ok(FirstPage {
+            scope: self.verdict.scope_in_short(),
+            picture: first_picture(drawn)?,
+            values: first_page::values(self),
+            sheets: self.sheets.clone(),
         })
     }
 
@@ -79,9 +97,6 @@ impl GrindingPage<'_> {
         let mut blocks = Vec::new();
         if !self.settings.is_empty() {
             blocks.push(Block::Table(Table::of_quantities("", &self.settings)));
-        }
-        if let Some(settings) = self.ratio {
-            blocks.extend(ratio::choice(settings)?);
         }
         if let Some(chart) = self.occupation {
             let caption = "Which part of the tool's width each area takes; areas a pitch apart share no line of the tool.";

@@ -3,29 +3,29 @@
 use super::motions::DressingCurves;
 use super::target_amounts::TargetAmount;
 use super::traces::traces;
+use crate::workflow::drawn_values::TraceDirection;
 use crate::workflow::executed_strokes::ExecutedStroke;
 use crate::workflow::result::{FlankResult, SettingsResult};
 use foundation::geometry::Sides;
-use job::tables::JobInfo;
-use report::charts::{ChartError, DressingSectionChart, Topography, WormOccupationChart};
-use report::{Block, FlankStages, Quantity};
-use run::{CharacteristicsUm, GrindingMotion};
+use report::charts::{ChartError, DressingSectionChart, RangeMark, Topography, WormOccupationChart};
+use report::{Block, FlankStages, Quantity, Sheet};
+use run::{CharacteristicsUm, GrindingMotion, JobTitle};
 use verdict::{Remark, Verdict};
 
 /// What the page of a process that grinds flanks with a worm shows.
 pub struct GrindingPage<'a> {
-    /// Name and description of the job.
-    pub info: &'a JobInfo,
+    /// Name, title block and language of the job.
+    pub title: JobTitle<'a>,
     /// Process in words.
     pub process: &'static str,
-    /// Version of the program.
-    pub version: &'a str,
     /// Status, reason and scope.
     pub verdict: &'a Verdict,
     /// Tolerance on the simulated deviation, um, normal.
     pub tolerance_um: f64,
     /// Flanks that are ground.
     pub flanks: Sides<Option<ShownFlank<'a>>>,
+    /// Settings, times, tools and tooth thickness for the first page.
+    pub sheets: Vec<Sheet>,
     /// Data of the gear.
     pub gear: Vec<Quantity>,
     /// Data of the worm.
@@ -89,8 +89,32 @@ impl<'a> ShownFlank<'a> {
         let (target, simulated) = (map(&result.target_um)?, map(&result.simulated_um)?);
         let (profiles, helices) = traces(&simulated, &target);
         let planned_map = map(&result.planned_um)?;
-        let stages =
-            FlankStages { target, planned: planned_map, simulated: Some(simulated), profiles, helices };
+        let stages = FlankStages {
+            target,
+            planned: planned_map,
+            simulated: Some(simulated),
+            profile_marks: marks(result, TraceDirection::Profile),
+            helix_marks: marks(result, TraceDirection::Helix),
+            profiles,
+            helices,
+        };
         Ok(Self { amounts, result, planned, stages })
     }
 }
+
+/// Ends of the evaluated range of the traces of a direction, and of their parts without reliefs.
+fn marks(result: &FlankResult, direction: TraceDirection) -> Vec<RangeMark> {
+    let mut marks: Vec<RangeMark> = Vec::new();
+    let mut mark = |at_mm: f64, ends_range: bool| {
+        if marks.iter().all(|known| (known.at_mm - at_mm).abs() > SAME_PLACE) {
+            marks.push(RangeMark { at_mm, ends_range });
+        }
+    };
+    let of = || result.traces.iter().filter(|trace| trace.direction == direction);
+    of().for_each(|trace| trace.range_mm.into_iter().for_each(|at| mark(at, true)));
+    of().for_each(|trace| trace.unrelieved_mm.into_iter().for_each(|at| mark(at, false)));
+    marks
+}
+
+/// Marks nearer to each other are one, mm.
+const SAME_PLACE: f64 = 1e-6;

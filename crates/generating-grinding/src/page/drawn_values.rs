@@ -8,7 +8,7 @@ use report::charts::{format_fixed, format_significant};
 use report::{Block, Column, Table};
 
 /// A value of the result with its symbol in the reports and its name.
-const SYMBOLS: [(&str, &str); 8] = [
+pub(super) const SYMBOLS: [(&str, &str); 8] = [
     ("C_alpha", "C_α crowning"),
     ("C_Halpha", "C_Hα slope"),
     ("C_alpha_a", "C_αa tip relief"),

@@ -4,6 +4,7 @@ mod composition;
 mod content;
 mod control;
 mod drawn_values;
+mod first_page;
 mod motions;
 mod programs;
 mod quantities;
@@ -18,6 +19,7 @@ mod verification;
 pub use composition::{TOPOGRAPHIES, VERIFICATION};
 pub use content::{GrindingPage, ShownFlank};
 pub use control::control_blocks;
+pub use first_page::{MachineSettings, times};
 pub use motions::DressingCurves;
 pub use programs::programs_blocks;
 pub use quantities::gear_quantities;
@@ -31,8 +33,8 @@ use crate::workflow::tables::ROWS;
 use foundation::geometry::{Flank, Sides};
 use quantities::{settings_quantities, tool_quantities};
 use report::charts::ChartError;
-use report::html;
-use run::{CharacteristicsUm, GrindingMotion};
+use report::{PlanReport, html};
+use run::{CharacteristicsUm, GrindingMotion, JobTitle};
 use verification::verification;
 
 /// The report of a run as a self-contained HTML page.
@@ -40,6 +42,14 @@ use verification::verification;
 /// # Errors
 /// A number that is not finite.
 pub fn html_page(outcome: &Outcome, files: &[(String, &'static str)]) -> Result<String, ChartError> {
+    Ok(html::render(&page(outcome, files)?))
+}
+
+/// The same as data.
+///
+/// # Errors
+/// As [`html_page`].
+pub fn page(outcome: &Outcome, files: &[(String, &'static str)]) -> Result<PlanReport, ChartError> {
     let Outcome { result, prepared, execution, .. } = outcome;
     let flanks = Sides::try_from_fn(|flank| -> Result<_, ChartError> {
         let (Some(f), Some(executed)) = (result.flanks.get(flank.name()), &execution.flanks[flank]) else {
@@ -56,12 +66,12 @@ pub fn html_page(outcome: &Outcome, files: &[(String, &'static str)]) -> Result<
         strokes.map_or(&[], |executed| &executed.strokes)
     };
     let page = GrindingPage {
-        info: &prepared.info,
+        title: JobTitle::new(&prepared.info, prepared.output.language).on(prepared.machine.as_ref()),
         process: "Generating grinding",
-        version: result.version,
         verdict: &result.verdict,
         tolerance_um: result.tolerance_um,
         flanks,
+        sheets: first_page::sheets(outcome),
         gear: gear_quantities(&input.gear, &input.blank, input.evaluation),
         worm,
         dresser,
@@ -94,5 +104,5 @@ pub fn html_page(outcome: &Outcome, files: &[(String, &'static str)]) -> Result<
         convergence: Some(&result.ideal_error_by_round_um),
         files,
     };
-    Ok(html::render(&page.to_page()?))
+    page.to_page()
 }

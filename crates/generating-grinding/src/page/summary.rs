@@ -115,9 +115,9 @@ fn amounts(flanks: &[Named<'_>]) -> Table {
 }
 
 /// Name and symbol, the kind of modification that asks for it by its amount, and the value in [`CharacteristicsUm`].
-type Row = (&'static str, &'static str, fn(&CharacteristicsUm) -> f64);
+pub(super) type Row = (&'static str, &'static str, fn(&CharacteristicsUm) -> f64);
 
-const ROWS: [Row; 8] = [
+pub(super) const ROWS: [Row; 8] = [
     ("Helix crowning C_β", "helix crowning", |c| c.helix_crowning_um),
     ("Profile crowning C_α", "profile crowning", |c| c.profile_crowning_um),
     ("Helix slope C_Hβ", "helix slope", |c| c.helix_slope_um),

@@ -4,10 +4,10 @@ use crate::catalogue::LoadedCatalogue;
 use crate::job::LoadedJob;
 use crate::workflow::catalogue::wanted_of_catalogue;
 use crate::workflow::prepare;
-use foundation::geometry::{Blank, Flank, Gear, Span};
+use foundation::geometry::{Flank, Gear};
 use generating::GrindingSetup;
 use job::tables::Gear as JobGear;
-use run::{DerivedGeometry, RunFailure, blank_of_job, gear_of_job};
+use run::{DerivedGeometry, RunFailure, ToothMeasures, gear_of_job};
 use verdict::Remark;
 
 /// What follows from the job: base data and measures of the gear, worm, dresser and how they stand; of a catalogue how much it
@@ -82,33 +82,15 @@ pub fn gear_sections(derived: &mut DerivedGeometry, drawing: &JobGear, gear: &Ge
         derived.quantity(keys[4], keys[5], gear.transverse_pressure_angle(flank).to_degrees(), "deg");
         derived.quantity(keys[6], keys[7], gear.normal_base_pitch(flank), "mm");
     }
-    let blank = blank_of_job(drawing);
-    // The drawing's own measure, where it states one: it is what the shop will measure.
-    let drawn = drawing.span.as_ref().and_then(|span| gear.span(span.teeth).ok());
-    if let Some(span) = drawn.or_else(|| best_span(gear, &blank)) {
+    let measures = ToothMeasures::of(drawing, gear);
+    if let Some(span) = measures.span(gear) {
         derived.quantity("span_teeth", "teeth spanned k", span.teeth, "");
         derived.quantity("span_mm", "span W_k", span.length, "mm");
     }
-    let drawn = drawing.over_balls.as_ref().map(|balls| balls.ball);
-    let ball = drawn.unwrap_or(BALL_FACTOR * gear.data().normal_module);
-    let touches = |b: &_| drawn.is_some() || blank.check_balls(gear, b).is_ok();
-    if let Some(balls) = gear.over_balls(ball, 0.0).ok().filter(touches) {
-        derived.quantity("ball_diameter_mm", "ball diameter D_M", ball, "mm");
+    if let Some(balls) = measures.over_balls(gear) {
+        derived.quantity("ball_diameter_mm", "ball diameter D_M", balls.ball, "mm");
         derived.quantity("over_balls_mm", "size over balls M_dK", balls.size, "mm");
     }
-}
-
-/// Ball diameter in normal modules that touches near the pitch cylinder of common gears.
-const BALL_FACTOR: f64 = 1.728;
-
-/// The span whose contact lies nearest to the middle of the usable flank.
-fn best_span(gear: &Gear, blank: &Blank) -> Option<Span> {
-    let middle = 0.25 * (blank.form_diameter + blank.tip_form_diameter);
-    let teeth = gear.data().teeth.unsigned_abs();
-    (1..=teeth)
-        .filter_map(|k| gear.span(k).ok())
-        .filter(|span| blank.check_span(gear, span).is_ok())
-        .min_by(|a, b| (a.contact_radius - middle).abs().total_cmp(&(b.contact_radius - middle).abs()))
 }
 
 /// Keys of the quantities of a flank.

@@ -5,12 +5,15 @@ use foundation::geometry::{Flank, Sides};
 use generating::FlankTarget;
 use generating_grinding::job::{Inspection as InspectionTable, LoadedJob};
 use generating_grinding::workflow::prepare::prepare;
+use job::tables::{JobInfo, Language};
 use run::RunFailure;
 
 /// What a measurement is judged by, and what may answer it.
 pub struct Asked {
-    /// Name of the job.
-    pub name: String,
+    /// Name, process and title block of the job.
+    pub info: JobInfo,
+    /// Language of its report.
+    pub language: Language,
     /// Tolerance of a characteristic, normal, um.
     pub tolerance_um: f64,
     /// Bands in which traces have to lie.
@@ -32,7 +35,8 @@ impl Asked {
         let mut plain = loaded.clone();
         plain.job.compensation = None;
         Ok(Self {
-            name: loaded.job.job.name.clone(),
+            info: loaded.job.job.clone(),
+            language: loaded.job.output.language,
             tolerance_um: table.tolerance_um.unwrap_or(loaded.job.target.tolerance_um),
             bands,
             table,

@@ -15,6 +15,7 @@ use foundation::geometry::{Flank, Sides};
 use foundation::modification::{EvaluationField, Modification};
 use foundation::numerics::Progress;
 use generating_grinding::job::LoadedJob;
+use job::tables::{JobInfo, Language};
 use measured_files::inspection::Inspection;
 use run::{JobFailure, RunFailure};
 use std::collections::BTreeMap;
@@ -36,6 +37,8 @@ pub struct GearInspection {
     pub against_target: Option<Box<(Inspection, EvaluatedGear)>>,
     /// Bands of a job.
     pub bands: Bands,
+    /// The job that the measurement was judged by, with the language of its report.
+    pub job: Option<(JobInfo, Language)>,
 }
 
 /// Reads and evaluates a measurement by itself; a file that states modifications is evaluated against them. With a class of ISO 1328-1 the
@@ -82,6 +85,7 @@ pub fn inspect_gear(
         rounds: Vec::new(),
         against_target: None,
         bands: Bands::default(),
+        job: None,
     })
 }
 
@@ -117,7 +121,7 @@ pub fn inspect_simulated(
     judgement::check_class(class)?;
     let asked = Asked::of_job(loaded)?;
     let rounds = simulated(loaded, &asked, progress)?;
-    let name = asked.name.clone();
+    let name = asked.info.name.clone();
     of_rounds(&asked, class, rounds, name, Told::default(), begun)
 }
 
@@ -215,7 +219,8 @@ fn of_rounds(
         timing: BTreeMap::from([("all", begun.elapsed().as_secs_f64())]),
     };
     let result = gear_result(&inspection, &gear, context);
-    Ok(GearInspection { result, inspection, gear, rounds, against_target, bands: asked.bands.clone() })
+    let job = Some((asked.info.clone(), asked.language));
+    Ok(GearInspection { result, inspection, gear, rounds, against_target, bands: asked.bands.clone(), job })
 }
 
 fn stem(path: &Path) -> String {

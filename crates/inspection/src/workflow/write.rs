@@ -37,7 +37,7 @@ pub fn write_gear_inspection(
     }
     let sheet = inspection_sheet(found, options)?;
     files.push(("sheet.html".into(), "the inspection sheet, to be printed", sheet.into_bytes()));
-    write_with_report(files, directory, |named| html_page(&found.result, named))
+    write_with_report(files, directory, |named| html_page(found, named))
 }
 
 /// Whether no file holds the measurement.

@@ -1,4 +1,4 @@
-//! `[job]`: name and process.
+//! `[job]`: name and process, and what the title block of the report says.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
@@ -17,6 +17,47 @@ pub struct JobInfo {
     /// Free text for the report.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub description: Option<String>,
+    /// Number of the part, for the title block of the report.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minLength" = 1, "maxLength" = 100))]
+    pub part_number: Option<String>,
+    /// Number of the drawing, with its revision.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minLength" = 1, "maxLength" = 100))]
+    pub drawing_number: Option<String>,
+    /// Customer.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minLength" = 1, "maxLength" = 100))]
+    pub customer: Option<String>,
+    /// The machine in words, where no `machine.file` names it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minLength" = 1, "maxLength" = 100))]
+    pub machine_name: Option<String>,
+    /// Date of the title block, `YYYY-MM-DD`; without it the report has none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "date", "x-way-out" = "give the date as year, month and day: \"2026-03-31\""))]
+    pub date: Option<String>,
+    /// Author of the job.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minLength" = 1, "maxLength" = 100))]
+    pub author: Option<String>,
+}
+
+impl JobInfo {
+    /// A job of which nothing is known but its name and process.
+    pub fn named(name: &str, process: ProcessName) -> Self {
+        Self {
+            name: name.to_owned(),
+            process,
+            description: None,
+            part_number: None,
+            drawing_number: None,
+            customer: None,
+            machine_name: None,
+            date: None,
+            author: None,
+        }
+    }
 }
 
 /// The name of a process; that there is such a process is checked when a job is read.

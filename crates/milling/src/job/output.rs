@@ -3,12 +3,15 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use job::tables::{Mesh, Program, Table};
+use job::tables::{Language, Mesh, Program, Table};
 
 /// What to write beside result and report; all lists may be empty.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MillingOutput {
+    /// Language of the report; default English.
+    #[serde(default, skip_serializing_if = "Language::is_default")]
+    pub language: Language,
     /// Controls for which programs are written; they need `[machine]`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(extend("uniqueItems" = true))]
@@ -32,6 +35,7 @@ pub struct MillingOutput {
 impl Default for MillingOutput {
     fn default() -> Self {
         Self {
+            language: Language::default(),
             programs: Vec::new(),
             programs_of_missed: false,
             meshes: Vec::new(),

@@ -1,11 +1,12 @@
 //! The banner: the answer in one sentence and its figures.
 
 use crate::workflow::{FlankResult, MillingResult};
+use report::FirstPage;
 use report::charts::format_significant;
 use run::Answer;
 
 /// What a run came to.
-pub(super) fn answer(result: &MillingResult) -> Answer<'_> {
+pub(super) fn answer(result: &MillingResult, first_page: FirstPage) -> Answer<'_> {
     Answer {
         process: "Five-axis milling",
         status: result.verdict.status(),
@@ -13,6 +14,7 @@ pub(super) fn answer(result: &MillingResult) -> Answer<'_> {
         warnings: &result.warnings,
         headline: headline(result),
         figures: figures(result),
+        first_page,
     }
 }
 

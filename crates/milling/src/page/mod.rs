@@ -5,6 +5,7 @@ mod banner;
 mod cutter_words;
 mod density;
 mod deviations;
+mod first_page;
 mod flanks;
 mod mate;
 mod operations;
@@ -20,8 +21,8 @@ mod wear;
 use crate::workflow::MillingOutcome;
 use report::charts::ChartError;
 use report::head::scope_blocks;
-use report::{Block, Section, html};
-use run::report_head;
+use report::{Block, PlanReport, Section, html};
+use run::{JobTitle, report_head};
 use shown_flank::ShownFlank;
 
 /// The report of a run as a self-contained HTML page; a section without blocks leaves no trace on it.
@@ -29,6 +30,14 @@ use shown_flank::ShownFlank;
 /// # Errors
 /// A number that is not finite.
 pub fn html_page(outcome: &MillingOutcome, files: &[(String, &'static str)]) -> Result<String, ChartError> {
+    Ok(html::render(&page(outcome, files)?))
+}
+
+/// The same as data.
+///
+/// # Errors
+/// As [`html_page`].
+pub fn page(outcome: &MillingOutcome, files: &[(String, &'static str)]) -> Result<PlanReport, ChartError> {
     let MillingOutcome { result, prepared, plan, .. } = outcome;
     let shown = ShownFlank::of_run(plan, result);
     let flanks = vec![Block::Table(flanks::table(&shown, result.tolerance_um))];
@@ -50,5 +59,7 @@ pub fn html_page(outcome: &MillingOutcome, files: &[(String, &'static str)]) -> 
         ),
         Section::new("programs", "Programs", programs::blocks(outcome)?),
     ];
-    Ok(html::render(&report_head(&prepared.info, banner::answer(result), files).page(sections)))
+    let title = JobTitle::new(&prepared.info, prepared.output.language).on(prepared.machine.as_ref());
+    let answer = banner::answer(result, first_page::first_page(outcome, &shown, &sections));
+    Ok(report_head(title, answer, files).page(sections))
 }

@@ -1,24 +1,29 @@
-//! Profile and helix diagrams as a gear measuring machine prints them: traces side by side, the coordinate upwards,
-//! the value to the right, scale bars, characteristic values below each trace.
+//! Profile and helix diagrams as a gear measuring machine prints them, in millimetres of paper: left and right flank mirrored about a
+//! middle column, material outwards, the magnification stated, both ends of the coordinate named, the evaluated range marked,
+//! characteristic values below each trace.
 
+mod row;
+
+use foundation::geometry::Flank;
 use serde::Serialize;
 
-use super::axes::{Frame, TICK_SIZE, horizontal_bar};
 use super::error::{ChartError, LEAST_SPAN, check_ascending, check_count, check_length, check_values};
-use super::numbers::{format_fixed, format_significant};
-use super::palette::{BLUE, FAINT, GRID, INK};
-use super::scale::{Axis, decimals_of, round_below, round_step};
+use super::magnification::{largest, of_traces};
+use super::palette::BLUE;
 use super::svg::{Anchor, Canvas, Stroke, Svg, TextStyle};
 use super::topography::Topography;
+use row::Row;
 
 /// The diagrams of one gear.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProfileHelixDiagram {
     /// Heading of the chart.
     pub title: String,
-    /// One column per flank.
+    /// One or both flanks.
     pub flanks: Vec<FlankSections>,
-    /// Name of the dashed curve, for example "target".
+    /// Whether the gear is external, so that lengths of roll grow towards the tip.
+    pub external: bool,
+    /// Name of the dashed curve, for example "target"; empty where there is none.
     pub target_name: String,
     /// Name of the solid curve, for example "simulated".
     pub simulated_name: String,
@@ -27,12 +32,25 @@ pub struct ProfileHelixDiagram {
 /// The traces of one flank.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct FlankSections {
-    /// Heading, for example "Left flank".
-    pub name: String,
+    /// The flank: the left one stands left of the middle, the right one right of it.
+    pub flank: Flank,
     /// Traces over the length of roll w (mm) at fixed z.
     pub profiles: Vec<SectionTrace>,
     /// Traces over the face width z (mm) at fixed w.
     pub helices: Vec<SectionTrace>,
+    /// Where the evaluated profile begins and ends, and where its part without reliefs does.
+    pub profile_marks: Vec<RangeMark>,
+    /// The same of the helix.
+    pub helix_marks: Vec<RangeMark>,
+}
+
+/// A line across the traces at a place of their coordinate.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RangeMark {
+    /// The place, mm.
+    pub at_mm: f64,
+    /// Whether the evaluated range ends there; else a zone of relief does.
+    pub ends_range: bool,
 }
 
 /// One profile or helix trace.
@@ -85,24 +103,21 @@ fn same_grid(a: &Topography, b: &Topography) -> bool {
     a.w_mm().len() == b.w_mm().len() && a.z_mm().len() == b.z_mm().len()
 }
 
-const WIDTH: f64 = 880.0;
-const GAP: f64 = 40.0;
-const PLOT_HEIGHT: f64 = 170.0;
-const LINE: f64 = 15.0;
+/// Width of the diagram on paper, mm: that of a printed page of A4 between its margins.
+const WIDTH: f64 = 182.0;
+/// Heights of heading and legend, mm.
+const HEAD: f64 = 11.0;
+/// Sizes of letters, mm.
+const TITLE: f64 = 3.4;
+const TEXT: f64 = 2.7;
+const LABEL: f64 = 2.3;
 
-/// One row of the sheet: profiles or helices.
-struct Row<'a> {
-    heading: &'static str,
-    coordinate: &'static str,
-    section: &'static str,
-    /// Name of that end and what it is.
-    lower: [&'static str; 2],
-    upper: [&'static str; 2],
-    traces: Vec<(&'a str, &'a [SectionTrace])>,
-}
+/// Thin over broad, so that both are seen where they coincide.
+const SIMULATED: Stroke = Stroke::solid(BLUE, 0.3);
+const TARGET: Stroke = Stroke { color: "#dd9a66", width: 0.8, dash: "1.6 1" };
 
-/// Draws profile traces above helix traces, flanks side by side, target dashed and simulated solid, with one scale for
-/// all values.
+/// Draws profile traces above helix traces, the left flank mirrored beside the right one, target dashed and simulated solid, with one
+/// magnification for all values.
 ///
 /// # Errors
 /// [`ChartError`] without traces, for lists of different length, unsorted coordinates or values that are not finite.
@@ -110,37 +125,21 @@ pub fn profile_helix_diagram(diagram: &ProfileHelixDiagram) -> Result<Svg, Chart
     let traces = || diagram.flanks.iter().flat_map(|flank| flank.profiles.iter().chain(&flank.helices));
     check_count("profile and helix traces", traces().count(), 1)?;
     traces().try_for_each(check_trace)?;
+    let marks = diagram.flanks.iter().flat_map(|flank| flank.profile_marks.iter().chain(&flank.helix_marks));
+    check_values("mark of a range", &marks.map(|mark| mark.at_mm).collect::<Vec<f64>>())?;
     let (lo, hi) = traces()
         .flat_map(|trace| trace.simulated_um.iter().chain(trace.target_um.iter().flatten()))
         .fold((0.0_f64, 0.0_f64), |(lo, hi), &f| (lo.min(f), hi.max(f)));
-    let (lo, hi) = if hi - lo > LEAST_SPAN { (lo, hi) } else { (-0.5, 0.5) };
-
-    let row = |heading, coordinate, section, ends: [[&'static str; 2]; 2], helices: bool| Row {
-        heading,
-        coordinate,
-        section,
-        lower: ends[0],
-        upper: ends[1],
-        traces: diagram
-            .flanks
-            .iter()
-            .map(|f| (f.name.as_str(), if helices { &f.helices[..] } else { &f.profiles[..] }))
-            .collect(),
-    };
-    let rows: Vec<Row> = [
-        row("Profile", "w [mm]", "z", [["", "root"], ["tip", ""]], false),
-        row("Helix", "z [mm]", "w", [["face I", "(not datum)"], ["face II", "(datum)"]], true),
-    ]
-    .into_iter()
-    .filter(|row| row.traces.iter().any(|(_, traces)| !traces.is_empty()))
-    .collect();
-    let height = 50.0 + rows.iter().map(Row::height).sum::<f64>();
-    let mut canvas = Canvas::new(WIDTH, height, &diagram.title);
-    canvas.heading("");
-    draw_legend(&mut canvas, diagram);
-    let mut top = 50.0;
+    let values = if hi - lo > LEAST_SPAN { [lo, hi] } else { [-0.5, 0.5] };
+    let rows = Row::of(diagram);
+    let lane = rows.iter().map(Row::lane).fold(f64::INFINITY, f64::min);
+    let magnification = of_traces(values[1] - values[0], row::DRAWN * lane);
+    let height = HEAD + rows.iter().map(Row::height).sum::<f64>();
+    let mut canvas = Canvas::millimetres(WIDTH, height, &diagram.title);
+    draw_head(&mut canvas, diagram);
+    let mut top = HEAD;
     for row in &rows {
-        row.draw(&mut canvas, top, (lo, hi));
+        row.draw(&mut canvas, top, values, magnification);
         top += row.height();
     }
     Ok(canvas.finish())
@@ -161,112 +160,30 @@ fn check_trace(trace: &SectionTrace) -> Result<(), ChartError> {
     trace.values_um.iter().try_for_each(|(name, value)| check_values(name, &[*value]))
 }
 
-fn draw_legend(canvas: &mut Canvas, diagram: &ProfileHelixDiagram) {
-    let style = TextStyle::new(TICK_SIZE, Anchor::Start);
-    canvas.line([0.0, 36.0], [34.0, 36.0], SIMULATED);
-    canvas.text([40.0, 40.0], &diagram.simulated_name, style);
-    canvas.line([150.0, 36.0], [184.0, 36.0], TARGET);
-    canvas.text([190.0, 40.0], &diagram.target_name, style);
-    canvas.text([300.0, 40.0], "to the right: + material left standing", style.muted());
+/// Title, legend, and how the lines across are drawn.
+fn draw_head(canvas: &mut Canvas, diagram: &ProfileHelixDiagram) {
+    let title = diagram.title.clone();
+    canvas.text([0.0, 3.6], &title, TextStyle::new(TITLE, Anchor::Start).bold());
+    let style = TextStyle::new(LABEL, Anchor::Start);
+    let y = 8.2;
+    let mut x = 0.0;
+    let mut entry = |name: &str, strokes: &[Stroke], room: f64| {
+        for stroke in strokes {
+            canvas.line([x, y - 0.8], [x + 8.0, y - 0.8], *stroke);
+        }
+        canvas.text([x + 9.2, y], name, style);
+        x += room;
+    };
+    entry(&diagram.simulated_name, &[SIMULATED], 32.0);
+    if !diagram.target_name.is_empty() {
+        entry(&diagram.target_name, &[TARGET], 27.0);
+    }
+    entry("evaluated range", &[row::RANGE], 34.0);
+    entry("end of a relief", &[row::RELIEF], 34.0);
+    canvas.text([WIDTH, y], "outwards: + material left standing", TextStyle::new(LABEL, Anchor::End).muted());
 }
 
-/// Thin over broad, so that both are seen where they coincide.
-const SIMULATED: Stroke = Stroke::solid(BLUE, 1.2);
-const TARGET: Stroke = Stroke { color: "#dd9a66", width: 3.6, dash: "7 4" };
-
-impl Row<'_> {
-    fn value_lines(&self) -> usize {
-        self.traces.iter().flat_map(|(_, t)| t.iter()).map(|t| t.values_um.len()).max().unwrap_or(0)
-    }
-
-    fn height(&self) -> f64 {
-        30.0 + PLOT_HEIGHT + 22.0 + LINE * self.value_lines() as f64 + 34.0
-    }
-
-    fn draw(&self, canvas: &mut Canvas, top: f64, (lo, hi): (f64, f64)) {
-        let places = self.traces.len().max(2) as f64;
-        let width = (WIDTH - GAP * (places - 1.0)) / places;
-        for (k, (name, traces)) in self.traces.iter().enumerate() {
-            if traces.is_empty() {
-                continue;
-            }
-            let left = k as f64 * (width + GAP);
-            let heading = format!("{}, {}", self.heading, lower_first(name));
-            canvas.text([left, top + 20.0], &heading, TextStyle::new(13.0, Anchor::Start).bold());
-            let frame =
-                Frame { left: left + 48.0, top: top + 30.0, width: width - 96.0, height: PLOT_HEIGHT };
-            self.draw_block(canvas, frame, traces, (lo, hi));
-        }
-    }
-
-    fn draw_block(&self, canvas: &mut Canvas, frame: Frame, traces: &[SectionTrace], (lo, hi): (f64, f64)) {
-        let first = traces.iter().map(|t| t.coordinate_mm[0]).fold(f64::INFINITY, f64::min);
-        let last = traces
-            .iter()
-            .map(|t| t.coordinate_mm[t.coordinate_mm.len() - 1])
-            .fold(f64::NEG_INFINITY, f64::max);
-        let axis = Axis::tight(first, last, 6);
-        for (share, _) in axis.ticks() {
-            canvas.line(frame.at(0.0, share), frame.at(1.0, share), Stroke::solid(GRID, 0.8));
-        }
-        frame.ordinate(canvas, &axis);
-        frame.ordinate_title(canvas, &axis, self.coordinate, 36.0);
-        let end = TextStyle::new(11.0, Anchor::Start).muted();
-        for (lines, below) in [(self.upper, frame.top + 9.0), (self.lower, frame.bottom() - 13.0)] {
-            for (text, y) in lines.into_iter().zip([below, below + 13.0]).filter(|(text, _)| !text.is_empty())
-            {
-                canvas.text([frame.right() + 5.0, y], text, end);
-            }
-        }
-
-        let slot = frame.width / traces.len() as f64;
-        let margin = (0.14 * slot).clamp(6.0, 24.0);
-        let per_um = (slot - 2.0 * margin) / (hi - lo);
-        for (k, trace) in traces.iter().enumerate() {
-            let slot_left = frame.left + k as f64 * slot;
-            if k > 0 {
-                let stroke = Stroke::solid(FAINT, 0.8);
-                canvas.line([slot_left, frame.top], [slot_left, frame.bottom()], stroke);
-            }
-            let zero = slot_left + margin - per_um * lo;
-            let point = |x: f64, f: f64| [zero + per_um * f, frame.bottom() - axis.share(x) * frame.height];
-            canvas.line([zero, frame.top], [zero, frame.bottom()], Stroke::solid(INK, 0.9));
-            let curve = |values: &[f64]| -> Vec<[f64; 2]> {
-                trace.coordinate_mm.iter().zip(values).map(|(&x, &f)| point(x, f)).collect()
-            };
-            if let Some(target) = &trace.target_um {
-                canvas.polylines(&[curve(target)], TARGET);
-            }
-            canvas.polylines(&[curve(&trace.simulated_um)], SIMULATED);
-            self.draw_values(canvas, [slot_left + 0.5 * slot, frame.bottom()], trace);
-        }
-        frame.outline(canvas);
-        self.draw_bars(canvas, frame, per_um, frame.height / (last - first));
-    }
-
-    fn draw_values(&self, canvas: &mut Canvas, at: [f64; 2], trace: &SectionTrace) {
-        let position = format!("{} = {} mm", self.section, format_fixed(trace.position_mm, 2));
-        let centred = TextStyle::new(TICK_SIZE, Anchor::Middle);
-        canvas.text([at[0], at[1] + 17.0], &position, centred.bold());
-        for (k, (name, value)) in trace.values_um.iter().enumerate() {
-            let text = format!("{name} = {} µm", format_fixed(*value, 2));
-            canvas.text([at[0], at[1] + 17.0 + LINE * (k + 1) as f64], &text, centred);
-        }
-    }
-
-    /// Bars of a round length in um (value) and mm (coordinate) below the block.
-    fn draw_bars(&self, canvas: &mut Canvas, frame: Frame, per_um: f64, per_mm: f64) {
-        let y = frame.bottom() + 22.0 + LINE * self.value_lines() as f64 + 14.0;
-        let um = round_step(30.0 / per_um, 1);
-        let text = if um < 1e-3 { format_significant(um, 1) } else { format_fixed(um, decimals_of(um)) };
-        horizontal_bar(canvas, frame.left, y, per_um * um, &format!("{text} µm (value)"));
-        let mm = round_below(60.0 / per_mm);
-        let text = format!("{} mm ({}, upwards)", format_fixed(mm, decimals_of(mm)), &self.coordinate[..1]);
-        horizontal_bar(canvas, frame.left + 0.5 * frame.width, y, per_mm * mm, &text);
-    }
-}
-
-fn lower_first(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map(|c| c.to_lowercase().chain(chars).collect()).unwrap_or_default()
+/// The magnification of a coordinate that fills its height.
+fn along(length: f64, height: f64) -> f64 {
+    if length > 0.0 { largest(length, height) } else { 1.0 }
 }

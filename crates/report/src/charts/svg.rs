@@ -1,11 +1,13 @@
 //! A small writer of SVG: shapes with few attributes, all text escaped, numbers in fixed form.
 
 use std::fmt::Write;
+use std::ops::Range;
 
 use serde::Serialize;
 
 use super::palette::{INK, MUTED};
 use super::text::indices;
+use crate::typeset::unit;
 
 /// A finished chart: one `<svg>` element that can stand alone or inline in HTML. Only the charts make one, so that a
 /// page can insert it as it is.
@@ -15,6 +17,20 @@ pub struct Svg {
     element: String,
     #[serde(skip)]
     title: String,
+    /// Where texts stand in the element, in their order.
+    #[serde(skip)]
+    texts: Vec<PlacedText>,
+}
+
+/// A text in a picture.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct PlacedText {
+    /// Its bytes in the element.
+    place: Range<usize>,
+    /// The text itself.
+    text: String,
+    /// How its indices are set, by the size of its letters; `None` for the title, which has none.
+    set: Option<Spans>,
 }
 
 impl Svg {
@@ -26,6 +42,28 @@ impl Svg {
     /// What the chart shows.
     pub fn title(&self) -> &str {
         &self.title
+    }
+
+    /// The texts in it, without its title and those that stand as a file or a job has them.
+    pub fn texts(&self) -> impl Iterator<Item = &str> {
+        self.texts.iter().filter(|text| text.set.is_some()).map(|text| text.text.as_str())
+    }
+
+    /// The same picture with other texts: each as `say` says it.
+    pub(crate) fn said(&self, say: impl Fn(&str) -> String) -> Self {
+        let mut element = String::with_capacity(self.element.len() + 256);
+        let mut texts = Vec::with_capacity(self.texts.len());
+        let mut at = 0;
+        for PlacedText { place, text, set } in &self.texts {
+            element += &self.element[at..place.start];
+            let start = element.len();
+            let text = say(text);
+            element += &set.map_or_else(|| escape(&text), |set| set.of(&text));
+            texts.push(PlacedText { place: start..element.len(), text, set: *set });
+            at = place.end;
+        }
+        element += &self.element[at..];
+        Self { element, title: say(&self.title), texts }
     }
 
     /// A file's content: XML declaration and the element.
@@ -152,12 +190,14 @@ pub struct Canvas {
     unit: &'static str,
     title: String,
     body: String,
+    /// Texts with their places in the body.
+    texts: Vec<PlacedText>,
 }
 
 impl Canvas {
     /// An empty picture of this size; the title is its name for screen readers.
     pub fn new(width: f64, height: f64, title: &str) -> Self {
-        Self { width, height, unit: "", title: title.to_owned(), body: String::new() }
+        Self { width, height, unit: "", title: title.to_owned(), body: String::new(), texts: Vec::new() }
     }
 
     /// A page whose unit is the millimetre.
@@ -253,13 +293,26 @@ impl Canvas {
         } else {
             ""
         };
-        let _ = writeln!(
+        let _ = write!(
             self.body,
-            "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{}\"{anchor}{weight}{turn}{halo}>{}</text>",
+            "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{}\"{anchor}{weight}{turn}{halo}>",
             place(style.size),
             style.color,
-            if style.verbatim { escape(text) } else { spans(text, style.size) }
         );
+        let start = self.body.len();
+        if style.verbatim {
+            self.body += &escape(text);
+        } else {
+            let set = Spans::of_size(style.size);
+            let text = &with_printed_units(text);
+            self.body += &set.of(text);
+            self.texts.push(PlacedText {
+                place: start..self.body.len(),
+                text: text.to_owned(),
+                set: Some(set),
+            });
+        }
+        self.body += "</text>\n";
     }
 
     /// Title and subtitle in the upper left corner.
@@ -275,40 +328,76 @@ impl Canvas {
     pub fn finish(self) -> Svg {
         let (width, height, unit) = (place(self.width), place(self.height), self.unit);
         let title = escape(&self.title);
-        let element = format!(
+        let mut element = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" \
-             width=\"{width}{unit}\" height=\"{height}{unit}\" role=\"img\" aria-label=\"{title}\" \
-             font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\">\n<title>{title}</title>\n\
-             <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n{}</svg>",
-            self.body
+             width=\"{width}{unit}\" height=\"{height}{unit}\" role=\"img\" aria-label=\""
         );
-        Svg { element, title: self.title }
+        let mut texts = Vec::with_capacity(self.texts.len() + 2);
+        let mut write_title = |element: &mut String| {
+            let start = element.len();
+            *element += &title;
+            texts.push(PlacedText { place: start..element.len(), text: self.title.clone(), set: None });
+        };
+        write_title(&mut element);
+        element += "\" font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\">\n<title>";
+        write_title(&mut element);
+        let _ = writeln!(element, "</title>\n<rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>");
+        let shift = element.len();
+        texts.extend(
+            self.texts
+                .into_iter()
+                .map(|text| PlacedText { place: text.place.start + shift..text.place.end + shift, ..text }),
+        );
+        element += &self.body;
+        element += "</svg>";
+        Svg { element, title: self.title, texts }
     }
 }
 
-/// Escaped text, indices of symbols smaller and below the line.
-fn spans(text: &str, size: f64) -> String {
-    if !text.contains('_') {
-        return escape(text);
+/// Titles of axes with their units as they are printed.
+fn with_printed_units(text: &str) -> String {
+    let Some((before, rest)) = text.rsplit_once('[') else { return text.to_owned() };
+    let Some((inside, after)) = rest.split_once(']') else { return text.to_owned() };
+    format!("{before}[{}]{after}", unit(inside))
+}
+
+/// How indices of a text are set: smaller and below the line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Spans {
+    /// Size of the letters, hundredths.
+    size: i64,
+}
+
+impl Spans {
+    fn of_size(size: f64) -> Self {
+        Self { size: (size * 100.0).round() as i64 }
     }
-    let drop = 0.22 * size;
-    let mut out = String::new();
-    let mut lowered = false;
-    for (piece, below) in indices(text) {
-        let piece = escape(&piece);
-        match (below, lowered) {
-            (true, _) => {
-                let (dy, small) = (place(drop), place(0.75 * size));
-                let _ = write!(out, "<tspan dy=\"{dy}\" font-size=\"{small}\">{piece}</tspan>");
-            }
-            (false, true) => {
-                let _ = write!(out, "<tspan dy=\"{}\">{piece}</tspan>", place(-drop));
-            }
-            (false, false) => out.push_str(&piece),
+
+    /// Escaped text with its indices.
+    fn of(self, text: &str) -> String {
+        if !text.contains('_') {
+            return escape(text);
         }
-        lowered = below;
+        let size = self.size as f64 / 100.0;
+        let drop = 0.22 * size;
+        let mut out = String::new();
+        let mut lowered = false;
+        for (piece, below) in indices(text) {
+            let piece = escape(&piece);
+            match (below, lowered) {
+                (true, _) => {
+                    let (dy, small) = (place(drop), place(0.75 * size));
+                    let _ = write!(out, "<tspan dy=\"{dy}\" font-size=\"{small}\">{piece}</tspan>");
+                }
+                (false, true) => {
+                    let _ = write!(out, "<tspan dy=\"{}\">{piece}</tspan>", place(-drop));
+                }
+                (false, false) => out.push_str(&piece),
+            }
+            lowered = below;
+        }
+        out
     }
-    out
 }
 
 /// A coordinate with at most two decimals and no needless zeros.

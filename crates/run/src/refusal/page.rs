@@ -2,15 +2,15 @@
 
 use crate::derived::DerivedGeometry;
 use crate::evidence::Evidence;
+use crate::job_title::JobTitle;
 use job::Diagnostic;
-use job::tables::JobInfo;
 use report::charts::{ChartError, format_significant};
-use report::{Banner, Block, Column, Fact, PlanReport, Section, Stamp, Table, html};
+use report::{Banner, Block, Column, Fact, FirstPage, PlanReport, Section, Stamp, Table, html, unit};
 use serde_json::Value;
 
 /// What the page shows.
 pub struct Refused<'a> {
-    pub job: &'a JobInfo,
+    pub job: JobTitle<'a>,
     pub tolerance_um: Option<f64>,
     pub finding: &'a Diagnostic,
     pub bodies: Option<&'a DerivedGeometry>,
@@ -55,13 +55,12 @@ pub fn html_page(refused: &Refused<'_>, files: &[(String, &'static str)]) -> Res
     let tolerance = refused.tolerance_um.map(|um| format!("{} µm", format_significant(um, 4)));
     figures.extend(tolerance.map(|text| Fact::new("Tolerance", text)));
     Ok(html::render(&PlanReport {
-        title: refused.job.name.clone(),
-        subtitle: refused.job.description.clone(),
-        facts: vec![
-            Fact::new("Process", refused.job.process.name()),
-            Fact::new("Version", env!("CARGO_PKG_VERSION")),
-        ],
+        title: refused.job.info.name.clone(),
+        subtitle: refused.job.info.description.clone(),
+        language: refused.job.language(),
+        title_block: refused.job.title_block(&refused.job.info.process.name().replace('-', " ")),
         banner: Banner { status: Stamp::NotProducible, headline, figures },
+        first_page: FirstPage::default(),
         sections,
     }))
 }
@@ -90,11 +89,11 @@ fn body_tables(bodies: &DerivedGeometry) -> Vec<Table> {
         .iter()
         .map(|section| Table {
             caption: sentence(section.title).trim_end_matches('.').to_owned(),
-            columns: vec![Column::text("Quantity"), Column::number("Value", ""), Column::text("Unit")],
+            columns: vec![Column::text(Table::QUANTITY), Column::number("Value", ""), Column::text("Unit")],
             rows: section
                 .quantities
                 .iter()
-                .map(|q| vec![q.label.to_owned(), text(&q.value), q.unit.to_owned()])
+                .map(|q| vec![q.label.to_owned(), text(&q.value), unit(q.unit).into_owned()])
                 .collect(),
             note: String::new(),
         })

@@ -4,6 +4,7 @@ use super::page::{Refused, html_page};
 use crate::derived::DerivedGeometry;
 use crate::files::{json, write_with_report};
 use crate::finding::Remark;
+use crate::job_title::JobTitle;
 use crate::processes::Processes;
 use crate::write_error::WriteError;
 use job::{AnyJob, Diagnostic};
@@ -107,7 +108,12 @@ pub fn write_refusal(
         warnings: [],
     };
     let files = vec![("result.json".to_owned(), "status, reason, bodies, candidates", json(&document)?)];
-    let refused =
-        Refused { job: info, tolerance_um, finding, bodies: bodies.as_ref(), evidence: evidence.as_deref() };
+    let refused = Refused {
+        job: JobTitle::new(info, job.language()),
+        tolerance_um,
+        finding,
+        bodies: bodies.as_ref(),
+        evidence: evidence.as_deref(),
+    };
     write_with_report(files, directory, |named| html_page(&refused, named))
 }

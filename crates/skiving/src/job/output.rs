@@ -3,12 +3,15 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use job::tables::{Program, Table};
+use job::tables::{Language, Program, Table};
 
 /// What to write beside result and report; all lists may be empty.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct SkivingOutput {
+    /// Language of the report; default English.
+    #[serde(skip_serializing_if = "Language::is_default")]
+    pub language: Language,
     /// Controls for which measuring programs are written; they need `[machine]`.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(extend("uniqueItems" = true))]

@@ -1,11 +1,12 @@
 //! The banner: the answer in one sentence and its figures.
 
 use crate::workflow::SkivingResult;
+use report::FirstPage;
 use report::charts::format_fixed;
 use run::{Answer, sentence};
 
 /// What a run came to.
-pub(super) fn answer(result: &SkivingResult) -> Answer<'_> {
+pub(super) fn answer(result: &SkivingResult, first_page: FirstPage) -> Answer<'_> {
     Answer {
         process: "Measuring a skiving tool in the machine",
         status: result.verdict.status(),
@@ -13,6 +14,7 @@ pub(super) fn answer(result: &SkivingResult) -> Answer<'_> {
         warnings: &result.warnings,
         headline: headline(result),
         figures: figures(result),
+        first_page,
     }
 }
 

@@ -6,6 +6,7 @@ mod banner;
 mod conventional;
 mod corrections;
 mod edge_section;
+mod first_page;
 mod history;
 mod measured;
 mod monte_carlo;
@@ -22,14 +23,22 @@ mod tooth;
 use crate::workflow::SkivingOutcome;
 use report::charts::ChartError;
 use report::head::scope_blocks;
-use report::{Block, Section, html};
-use run::report_head;
+use report::{Block, PlanReport, Section, html};
+use run::{JobTitle, report_head};
 
 /// The report of a run as a self-contained HTML page; a section without blocks leaves no trace on it.
 ///
 /// # Errors
 /// A number that is not finite, or lists of different length.
 pub fn html_page(outcome: &SkivingOutcome, files: &[(String, &'static str)]) -> Result<String, ChartError> {
+    Ok(html::render(&page(outcome, files)?))
+}
+
+/// The same as data.
+///
+/// # Errors
+/// As [`html_page`].
+pub fn page(outcome: &SkivingOutcome, files: &[(String, &'static str)]) -> Result<PlanReport, ChartError> {
     let (result, prepared) = (&outcome.result, &outcome.prepared);
     let bodies = &prepared.bodies;
     let mut tooth = vec![tooth::block(bodies)?];
@@ -50,9 +59,11 @@ pub fn html_page(outcome: &SkivingOutcome, files: &[(String, &'static str)]) -> 
             "comparison-with-the-conventional-method",
             "Comparison with the conventional method",
             conventional::blocks(bodies, &result.conventional)?,
-        ),
+        )
+        .in_appendix(),
         Section::new("history", "History", history::blocks(outcome)?),
-        Section::new("monte-carlo", "Monte Carlo", monte_carlo::blocks(result.monte_carlo.as_ref())?),
+        Section::new("monte-carlo", "Monte Carlo", monte_carlo::blocks(result.monte_carlo.as_ref())?)
+            .in_appendix(),
         Section::new(
             "tool-workpiece-and-measurement",
             "Tool, workpiece and measurement",
@@ -60,5 +71,7 @@ pub fn html_page(outcome: &SkivingOutcome, files: &[(String, &'static str)]) -> 
         ),
         Section::new("programs", "Programs", programs::blocks(&result.programs)?),
     ];
-    Ok(html::render(&report_head(&prepared.info, banner::answer(result), files).page(sections)))
+    let title = JobTitle::new(&prepared.info, prepared.output.language).on(prepared.machine.as_ref());
+    let answer = banner::answer(result, first_page::first_page(outcome, &sections));
+    Ok(report_head(title, answer, files).page(sections))
 }

@@ -1,6 +1,7 @@
 //! The report of a run of tangential dressing, composed from its results: what every page on ground flanks shows, and variables, their
 //! choice and fit, methods, radial feed, sensitivities. Timing stays out of it, so that the same job gives the same bytes.
 
+mod first_page;
 mod passes;
 mod quantities;
 mod radial_feed;
@@ -19,7 +20,7 @@ use quantities::{amounts, dresser_quantities, settings_quantities, worm_lengths,
 use radial_feed::Compared;
 use report::charts::ChartError;
 use report::{Block, PlanReport, Section, Table, html};
-use run::{CharacteristicsUm, GrindingMotion};
+use run::{CharacteristicsUm, GrindingMotion, JobTitle};
 
 /// Id of the section of variables, which belongs to the settings.
 const VARIABLES: &str = "variables";
@@ -32,6 +33,14 @@ pub fn html_page(
     outcome: &TangentialOutcome,
     files: &[(String, &'static str)],
 ) -> Result<String, ChartError> {
+    Ok(html::render(&page(outcome, files)?))
+}
+
+/// The same as data.
+///
+/// # Errors
+/// As [`html_page`].
+pub fn page(outcome: &TangentialOutcome, files: &[(String, &'static str)]) -> Result<PlanReport, ChartError> {
     let mut page = common(outcome, files)?;
     let own = own(outcome)?;
     // After the settings, before the pictures of the flank.
@@ -39,7 +48,7 @@ pub fn html_page(
         own.into_iter().partition(|section| section.id == VARIABLES);
     page.insert_before(TOPOGRAPHIES, variables);
     page.insert_before(VERIFICATION, others);
-    Ok(html::render(&page))
+    Ok(page)
 }
 
 /// What every grinding report shows.
@@ -66,12 +75,12 @@ fn common(outcome: &TangentialOutcome, files: &[(String, &'static str)]) -> Resu
         GrindingMotion::over(&name, flank.motion(), run.strokes.feed, ROWS)
     });
     let page = GrindingPage {
-        info: &prepared.info,
+        title: JobTitle::new(&prepared.info, prepared.output.language).on(prepared.machine.as_ref()),
         process: "Tangential dressing",
-        version: result.version,
         verdict: &result.verdict,
         tolerance_um: result.tolerance_um,
         flanks,
+        sheets: first_page::sheets(outcome),
         gear: gear_quantities(
             &input.gear,
             &prepared.blank,

@@ -1,13 +1,14 @@
 //! The walk of the electronic gearbox.
 
-use super::{Walk, walk};
+use super::{Walk, title_block, walk};
 use serde_json::json;
 
 #[test]
 fn every_key_of_the_electronic_gearbox_counts() {
     let gear = json!({ "teeth": 40, "normal_module": 2.5, "normal_pressure_angle_deg": 20.0, "helix_angle_deg": 20.0 });
-    let info =
-        json!({ "name": "every-key", "process": "electronic-gearbox", "description": "each key once" });
+    let info = json!({ "name": "every-key", "process": "electronic-gearbox", "description": "each key once",
+        "part_number": "4711", "drawing_number": "Z-12 b", "customer": "a customer", "machine_name": "a machine",
+        "date": "2026-03-31", "author": "an author" });
     let choices = |key: &str, values: [f64; 2]| json!([{ key: values[0], "cost": 1.0 }, { key: values[1], "cost": 1.5 }]);
     let whole = |key: &str, values: [u32; 2]| json!([{ key: values[0], "cost": 1.0 }, { key: values[1], "cost": 1.5 }]);
     let motion = json!({
@@ -33,7 +34,7 @@ fn every_key_of_the_electronic_gearbox_counts() {
             "scales": choices("pulses_per_metre", [100_000.0, 250_000.0]), "clocks": choices("clock_hz", [1e6, 1e7]),
             "interpolations": whole("pulses_per_interval", [16, 64]),
             "encoders": whole("pulses_per_revolution", [36_000, 90_000]) },
-        "output": { "pulse_trace": true },
+        "output": { "pulse_trace": true, "language": "en" },
     });
     let mut gains = motion.clone();
     gains["servo"].as_object_mut().unwrap().remove("bandwidth_hz");
@@ -57,12 +58,15 @@ fn every_key_of_the_electronic_gearbox_counts() {
                 "the name of a table, whose rows are those of reference_ticks and reference_signs",
             ),
         ],
-        values: vec![
-            ("feed.mode", json!("one-way")),
-            ("feed.counter_limit", json!(3)),
-            ("workpiece.rate", json!("bresenham")),
-            ("servo.disturbances.axis", json!("worm")),
-        ],
+        values: title_block()
+            .into_iter()
+            .chain([
+                ("feed.mode", json!("one-way")),
+                ("feed.counter_limit", json!(3)),
+                ("workpiece.rate", json!("bresenham")),
+                ("servo.disturbances.axis", json!("worm")),
+            ])
+            .collect(),
         echoes: &[
             "job",
             "version",

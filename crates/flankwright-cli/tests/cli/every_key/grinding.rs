@@ -2,6 +2,7 @@
 //! are walked with `inspect`: how a measured gear is judged and corrected, and the simulation of one.
 
 use super::of_files::FileWalk;
+use super::title_block;
 use serde_json::{Value, json};
 
 /// Keys that change nothing.
@@ -39,7 +40,8 @@ const EXCEPTIONS: [(&str, &str); 20] = [
 
 /// Words, and numbers that a check would refuse if they were changed alone.
 fn values() -> Vec<(&'static str, Value)> {
-    vec![
+    let mut values = title_block();
+    values.extend([
         ("worm.hand", json!("left")),
         ("worm.tool", json!("made")),
         ("worm.tool", json!("given")),
@@ -89,7 +91,8 @@ fn values() -> Vec<(&'static str, Value)> {
         ("inspection.helix_band.held_at_mm", json!(5.0)),
         ("inspection.simulated.rounds", json!(2)),
         ("dresser.others.modification", json!({ "kind": "profile_crowning", "amount_um": 0.5 })),
-    ]
+    ]);
+    values
 }
 
 #[test]

@@ -11,6 +11,7 @@ mod tangential;
 use crate::command::{run, run_with};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
 /// The keys of a process, and how they are walked.
 struct Walk {
@@ -85,6 +86,26 @@ fn keys_of_schema(schema: &Value, node: &Value, at: &str, keys: &mut BTreeSet<St
     }
 }
 
+/// Other values of the title block, and another language of the report.
+fn title_block() -> Vec<(&'static str, Value)> {
+    let mut values: Vec<(&'static str, Value)> =
+        ["job.part_number", "job.drawing_number", "job.customer", "job.machine_name", "job.author"]
+            .map(|key| (key, json!("another")))
+            .into();
+    values.push(("job.date", json!("2026-04-01")));
+    values.push(("output.language", json!("de")));
+    values
+}
+
+/// The head of a report: language, title, title block. What stands below it follows from the result.
+fn head_of_report(directory: &Path) -> Option<Vec<u8>> {
+    let page = std::fs::read_to_string(directory.join("report.html")).ok()?;
+    let (language, rest) = page.split_once("<head>")?;
+    let (_, head) = rest.split_once("<header>")?;
+    let (head, _) = head.split_once("</header>")?;
+    Some(format!("{language}{head}").into_bytes())
+}
+
 /// Removes keys of these names wherever they stand.
 fn without(value: &mut Value, names: &[&str]) {
     match value {
@@ -117,6 +138,7 @@ fn outcome(walk: &Walk, job: &Value) -> Option<(Value, BTreeMap<String, Vec<u8>>
             tables.insert(name, std::fs::read(&path).unwrap());
         }
     }
+    tables.extend(head_of_report(directory.path()).map(|head| ("head of the report".to_owned(), head)));
     Some((result, tables))
 }
 

@@ -2,7 +2,7 @@
 //! and, behind it, the tables whose keys are walked there; `# then:` in the second line does the same for the settings that it writes.
 //! `inspect-measured` is `inspect` with a measured file, which the job itself simulates before.
 
-use super::{changed, key, keys_of_schema, leaves, others, without};
+use super::{changed, head_of_report, key, keys_of_schema, leaves, others, without};
 use crate::command::{Run, repository, run, run_with};
 use flankwright::exchange::{Document, Source};
 use serde_json::Value;
@@ -201,6 +201,7 @@ impl FileWalk {
         let mut tables = BTreeMap::new();
         let mut settings = None;
         collect(directory.path(), &mut tables, &mut settings);
+        tables.extend(head_of_report(directory.path()).map(|head| ("head of the report".to_owned(), head)));
         Ok((Outcome { result, tables }, settings))
     }
 

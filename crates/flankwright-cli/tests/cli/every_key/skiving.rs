@@ -1,6 +1,7 @@
 //! The walk of measuring a skiving tool.
 
 use super::of_files::FileWalk;
+use super::title_block;
 use serde_json::{Value, json};
 
 /// Keys that change nothing.
@@ -17,7 +18,8 @@ const EXCEPTIONS: [(&str, &str); 8] = [
 
 /// Words, and limits near what the jobs need.
 fn values() -> Vec<(&'static str, Value)> {
-    vec![
+    let mut values = title_block();
+    values.extend([
         ("measuring.poses", json!("along-flank")),
         ("measuring.senses", json!("positive")),
         ("measuring.senses", json!("negative")),
@@ -35,7 +37,8 @@ fn values() -> Vec<(&'static str, Value)> {
         ("output.programs", json!("siemens")),
         ("output.tables", json!("parquet")),
         ("history.tool", json!("other")),
-    ]
+    ]);
+    values
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The walk of tangential dressing. Its jobs are small: a narrow gear, few points, one thread.
 
 use super::of_files::FileWalk;
+use super::title_block;
 use serde_json::{Value, json};
 
 /// Keys that change nothing.
@@ -22,7 +23,8 @@ const EXCEPTIONS: [(&str, &str); 10] = [
 
 /// Words.
 fn values() -> Vec<(&'static str, Value)> {
-    vec![
+    let mut values = title_block();
+    values.extend([
         ("worm.hand", json!("right")),
         ("dresser.profile", json!("straight")),
         ("dressing.passes", json!("one")),
@@ -48,7 +50,8 @@ fn values() -> Vec<(&'static str, Value)> {
         ("settings.both.splines.channel", json!("dA")),
         ("settings.left.splines.channel", json!("dA")),
         ("settings.right.splines.channel", json!("dA")),
-    ]
+    ]);
+    values
 }
 
 #[test]

@@ -15,7 +15,7 @@ pub use set_up::SetUp;
 
 use crate::job::LoadedGearboxJob;
 use job::Diagnostic;
-use job::tables::JobInfo;
+use job::tables::{JobInfo, Language};
 use run::{JobFailure, RunFailure};
 
 /// Most pulses that a trace may hold: some hundred megabytes of text.
@@ -37,6 +37,8 @@ pub struct Prepared {
     pub offers: Option<Offers>,
     /// Whether every pulse is written.
     pub traced: bool,
+    /// Language of the report.
+    pub language: Language,
 }
 
 /// All that a run needs of a job.
@@ -61,6 +63,7 @@ pub fn prepare(loaded: &LoadedGearboxJob) -> Result<Prepared, JobFailure> {
         servo,
         offers,
         traced: job.output.pulse_trace,
+        language: job.output.language,
     })
 }
 

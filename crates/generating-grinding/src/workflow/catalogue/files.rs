@@ -4,7 +4,10 @@ use super::outcome::{CatalogueOutcome, CataloguePair, LifeCurve, LifePoint, Pair
 use foundation::geometry::Flank;
 use job::{Cell, Column, CsvError, CsvTable};
 use report::charts::{ChartError, LineChart, Panel, Series, Svg, format_significant, line_chart};
-use report::{Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Stamp, Table, html};
+use report::{
+    Banner, Block, Column as PageColumn, Fact, Figure, FirstPage, PlanReport, Section, Stamp, Table,
+    TitleBlock, html,
+};
 use run::{WriteError, write_study};
 use std::path::{Path, PathBuf};
 
@@ -153,20 +156,21 @@ fn page(outcome: &CatalogueOutcome) -> Result<PlanReport, ChartError> {
         .iter()
         .map(|(flank, um)| format!("{flank} {} µm", format_significant(*um, 4)))
         .collect();
+    let asked = [
+        Fact::new("Profile crowning, form to tip", wanted.join(", ")),
+        Fact::new("Tolerance", format!("{} µm", format_significant(outcome.tolerance_um, 4))),
+    ];
     Ok(PlanReport {
         title: outcome.job.clone(),
         subtitle: Some("Worms and dressers of the catalogue".into()),
-        facts: vec![
-            Fact::new("Process", outcome.process.clone()),
-            Fact::new("Profile crowning, form to tip", wanted.join(", ")),
-            Fact::new("Tolerance", format!("{} µm", format_significant(outcome.tolerance_um, 4))),
-            Fact::new("Version", outcome.version),
-        ],
+        language: report::Language::default(),
+        title_block: TitleBlock::of_process(outcome.process.clone(), outcome.version),
         banner: Banner {
             status: if outcome.ok > 0 { Stamp::Study } else { Stamp::NotProducible },
             headline,
-            figures,
+            figures: figures.into_iter().chain(asked).collect(),
         },
+        first_page: FirstPage::default(),
         sections,
     })
 }

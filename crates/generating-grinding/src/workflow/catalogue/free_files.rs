@@ -4,7 +4,10 @@ use super::files::{fixed, percent};
 use super::free::{FreeOutcome, FreePair, FreePoint};
 use job::{Cell, Column, CsvError, CsvTable};
 use report::charts::{ChartError, LineChart, Panel, Series, Svg, YScale, format_significant, line_chart};
-use report::{Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Stamp, Table, html};
+use report::{
+    Banner, Block, Column as PageColumn, Fact, Figure, FirstPage, PlanReport, Section, Stamp, Table,
+    TitleBlock, html,
+};
 use run::{WriteError, write_study};
 use std::path::{Path, PathBuf};
 
@@ -95,20 +98,21 @@ fn page(outcome: &FreeOutcome) -> Result<PlanReport, ChartError> {
         vec![Block::Table(ranges(outcome))],
     ));
     let (working, all) = (outcome.working(), outcome.pairs.len());
+    let asked = [
+        Fact::new("Range", format!("{} to {} {unit}", outcome.range[0], outcome.range[1])),
+        Fact::new("Tolerance", format!("{} µm", format_significant(outcome.tolerance_um, 4))),
+    ];
     Ok(PlanReport {
         title: outcome.job.clone(),
         subtitle: Some(format!("Dressers of the catalogue with a free {name}")),
-        facts: vec![
-            Fact::new("Process", outcome.process.clone()),
-            Fact::new("Range", format!("{} to {} {unit}", outcome.range[0], outcome.range[1])),
-            Fact::new("Tolerance", format!("{} µm", format_significant(outcome.tolerance_um, 4))),
-            Fact::new("Version", outcome.version),
-        ],
+        language: report::Language::default(),
+        title_block: TitleBlock::of_process(outcome.process.clone(), outcome.version),
         banner: Banner {
             status: if working > 0 { Stamp::Study } else { Stamp::NotProducible },
             headline: format!("{working} of {all} pairs have a value that makes the profile"),
-            figures,
+            figures: figures.into_iter().chain(asked).collect(),
         },
+        first_page: FirstPage::default(),
         sections,
     })
 }

@@ -12,7 +12,10 @@ use crate::workflow::explore::Refused;
 use job::{Cell, Column, CsvError, CsvTable};
 use report::charts::{ChartError, LineChart, Panel, Series, Svg, format_significant, line_chart};
 use report::kebab;
-use report::{Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Stamp, Table, html};
+use report::{
+    Banner, Block, Column as PageColumn, Fact, Figure, FirstPage, PlanReport, Section, Stamp, Table,
+    TitleBlock, html,
+};
 use run::{WriteError, write_study};
 use std::path::{Path, PathBuf};
 
@@ -334,12 +337,14 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
     Ok(PlanReport {
         title: outcome.job.clone(),
         subtitle: Some(format!("Study of dressing: {what}")),
-        facts: vec![
-            Fact::new("Process", outcome.process.clone()),
-            Fact::new("Flank", outcome.flank),
-            Fact::new("Version", outcome.version),
-        ],
-        banner: Banner { status, headline: headline(outcome), figures: Vec::new() },
+        language: report::Language::default(),
+        title_block: TitleBlock::of_process(outcome.process.clone(), outcome.version),
+        banner: Banner {
+            status,
+            headline: headline(outcome),
+            figures: vec![Fact::new("Flank", outcome.flank)],
+        },
+        first_page: FirstPage::default(),
         sections,
     })
 }

@@ -4,7 +4,10 @@ use super::{ExploreCandidate, ExploreOutcome};
 use foundation::geometry::Flank;
 use job::{Cell, Column, CsvError, CsvTable};
 use report::charts::{ChartError, LineChart, Panel, Series, Svg, YScale, format_significant, line_chart};
-use report::{Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Stamp, Table, html};
+use report::{
+    Banner, Block, Column as PageColumn, Fact, Figure, FirstPage, PlanReport, Section, Stamp, Table,
+    TitleBlock, html,
+};
 use run::{WriteError, write_study};
 use std::path::{Path, PathBuf};
 
@@ -202,15 +205,18 @@ fn page(outcome: &ExploreOutcome) -> Result<PlanReport, ChartError> {
         ));
     }
     sections.push(Section::new("ranking", "Ranking", vec![Block::Table(ranking(outcome))]));
+    let tolerance = Fact::new("Tolerance", format!("{} µm", format_significant(outcome.tolerance_um, 4)));
     Ok(PlanReport {
         title: outcome.job.clone(),
         subtitle: Some("Study of worm and diagonal ratio".into()),
-        facts: vec![
-            Fact::new("Process", outcome.process.clone()),
-            Fact::new("Tolerance", format!("{} µm", format_significant(outcome.tolerance_um, 4))),
-            Fact::new("Version", outcome.version),
-        ],
-        banner: Banner { status, headline: format!("{of}; the first of the ranking:"), figures },
+        language: report::Language::default(),
+        title_block: TitleBlock::of_process(outcome.process.clone(), outcome.version),
+        banner: Banner {
+            status,
+            headline: format!("{of}; the first of the ranking:"),
+            figures: figures.into_iter().chain([tolerance]).collect(),
+        },
+        first_page: FirstPage::default(),
         sections,
     })
 }

@@ -35,8 +35,8 @@ use generating::{FlankTarget, GrindingSetup, Tool};
 use job::machine::LoadedMachine;
 use job::tables::{Control, JobInfo, Output};
 use job::{Diagnostic, Problem};
-use run::RunFailure;
 use run::program_check::machine_of_job;
+use run::{RunFailure, ToothMeasures};
 use shift::shift_of_job;
 use strokes::strokes_of_job;
 use targets::{JobTargets, is_ground, targets_of_job};
@@ -69,6 +69,8 @@ pub struct Prepared {
     pub areas: Option<AreaPlan>,
     /// The grinding cycle.
     pub cycle: Cycle,
+    /// How the thickness of the gear's teeth is measured.
+    pub measures: ToothMeasures,
     /// How the worm is dressed.
     pub dressing: DressingTask,
     /// Speeds, clamping and passes.
@@ -131,6 +133,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
     let shift = shift_of_job(job, &setup, &targets, &tolerance, &which)?;
     let cycle = Cycle::of_job(job)?;
     let dressing = DressingTask::of_job(job);
+    let measures = ToothMeasures::of(&job.gear, &setup.input.gear);
     let traces = Sides::from_fn(|flank| TracePlaces::of_job(loaded, &setup.fields[flank]));
     let technology =
         Technology::of_grinding(&job.machine.clone().unwrap_or_default(), &setup, cycle.feed_per_revolution);
@@ -155,6 +158,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         law: shift.law,
         areas: shift.areas,
         cycle,
+        measures,
         dressing,
         names_machine: job.machine.is_some(),
         machine: None,

@@ -6,33 +6,37 @@ mod against_target;
 mod answer;
 mod correction;
 mod evaluation;
+mod first_page;
 mod flanks;
 mod pictures;
 mod settings;
 mod tests_table;
 
-use crate::workflow::{GearInspectionResult, LinesResult, RoundResult};
+use crate::workflow::{GearInspection, GearInspectionResult, LinesResult, RoundResult};
 use generating_grinding::job::Job;
 use job::ProcessJob;
-use job::tables::{JobInfo, ProcessName};
+use job::tables::{JobInfo, Language, ProcessName};
 use report::charts::ChartError;
 use report::head::scope_blocks;
-use report::{Block, Column, Section, Table, html};
-use run::{Answer, report_head};
+use report::{Block, Column, PlanReport, Section, Table, html};
+use run::{Answer, JobTitle, report_head};
 
 /// The report of a measured gear as a self-contained HTML page.
 ///
 /// # Errors
 /// A number that is not finite, or lists of different length.
-pub fn html_page(
-    result: &GearInspectionResult,
-    files: &[(String, &'static str)],
-) -> Result<String, ChartError> {
-    let job = JobInfo {
-        name: result.job.clone(),
-        process: ProcessName::new(Job::NAME),
-        description: described(result),
-    };
+pub fn html_page(found: &GearInspection, files: &[(String, &'static str)]) -> Result<String, ChartError> {
+    Ok(html::render(&page(found, files)?))
+}
+
+/// The same as data.
+///
+/// # Errors
+/// As [`html_page`].
+pub fn page(found: &GearInspection, files: &[(String, &'static str)]) -> Result<PlanReport, ChartError> {
+    let result = &found.result;
+    let sections = sections(result)?;
+    let (info, language) = title(found);
     let answer = Answer {
         process: "Inspection of a gear",
         status: result.verdict.status(),
@@ -40,17 +44,28 @@ pub fn html_page(
         warnings: &result.warnings,
         headline: answer::headline(result),
         figures: answer::figures(result),
+        first_page: first_page::first_page(found)?,
     };
-    Ok(html::render(&report_head(&job, answer, files).page(sections(result)?)))
+    Ok(report_head(JobTitle::new(&info, language), answer, files).page(sections))
 }
 
-/// Part, drawing, date and machine in a line.
-fn described(result: &GearInspectionResult) -> Option<String> {
-    let told: Vec<String> = ["part", "name", "drawing", "date", "machine"]
-        .into_iter()
-        .filter_map(|key| Some(format!("{key} {}", result.head.get(key)?)))
-        .collect();
-    (!told.is_empty()).then(|| told.join(", "))
+/// Title block of the job, completed by what the measured files tell; that of the files for a measurement by itself.
+fn title(found: &GearInspection) -> (JobInfo, Language) {
+    let result = &found.result;
+    let told = |key: &str| result.head.get(key).cloned();
+    let (asked, language) = found.job.clone().unzip();
+    let asked = asked.unwrap_or_else(|| JobInfo::named(&result.job, ProcessName::new(Job::NAME)));
+    let info = JobInfo {
+        name: result.job.clone(),
+        description: told("name").or(asked.description),
+        part_number: told("part").or(asked.part_number),
+        drawing_number: told("drawing").or(asked.drawing_number),
+        date: told("date").or(asked.date),
+        // The machine that measured, not the one that made the gear.
+        machine_name: told("machine"),
+        ..asked
+    };
+    (info, language.unwrap_or_default())
 }
 
 /// Sections without data are left out.

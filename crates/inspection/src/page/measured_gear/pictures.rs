@@ -5,8 +5,8 @@ use crate::workflow::{MeasuredFlankResult, RoundResult};
 use foundation::geometry::Flank;
 use report::cells::flank_title;
 use report::charts::{
-    ChartError, FlankSections, LevelScale, NamedTopography, ProfileHelixDiagram, SectionTrace, Topography,
-    TopographyNet, profile_helix_diagram, topography_net,
+    ChartError, ContourMap, FlankSections, LevelScale, NamedTopography, ProfileHelixDiagram, SectionTrace,
+    Topography, TopographyNet, contour_map, profile_helix_diagram, topography_net,
 };
 use report::flank_pictures::{net_and_map, range_with_zero};
 use report::{Block, Figure};
@@ -62,11 +62,16 @@ pub(super) fn stages(round: &RoundResult) -> Result<Vec<Block>, ChartError> {
         let svg = profile_helix_diagram(&ProfileHelixDiagram {
             title: "Target and measurement in sections".to_owned(),
             flanks: columns,
+            external: true,
             target_name: "target".to_owned(),
             simulated_name: "measured".to_owned(),
         })?;
         let id = "target-and-measurement-in-sections";
-        blocks.push(figure(id, svg, "Mean of the teeth, normal to the flank, one scale for all traces."));
+        blocks.push(figure(
+            id,
+            svg,
+            "Mean of the teeth, normal to the flank, one magnification for all traces.",
+        ));
     }
     Ok(blocks)
 }
@@ -76,7 +81,9 @@ fn sections(flank: Flank, of: &MeasuredFlankResult) -> Result<Option<FlankSectio
     let target = topography(of, &of.target_um)?;
     let thirds = |n: usize| [n / 8, n / 2, n - 1 - n / 8];
     Ok(Some(FlankSections {
-        name: flank_title(flank).to_owned(),
+        flank,
+        profile_marks: Vec::new(),
+        helix_marks: Vec::new(),
         profiles: thirds(measured.z_mm().len())
             .map(|j| SectionTrace::profile(&measured, Some(&target), j))
             .to_vec(),
@@ -84,6 +91,18 @@ fn sections(flank: Flank, of: &MeasuredFlankResult) -> Result<Option<FlankSectio
             .map(|i| SectionTrace::helix(&measured, Some(&target), i))
             .to_vec(),
     }))
+}
+
+/// Measured less target of the last round, as a contour map; `None` where it does not cover the grid.
+pub(super) fn last_deviation(rounds: &[RoundResult]) -> Result<Option<Figure>, ChartError> {
+    let Some(last) = rounds.last() else { return Ok(None) };
+    let panels = panels(last, deviation)?;
+    if panels.is_empty() {
+        return Ok(None);
+    }
+    let title = "Measured less target".to_owned();
+    let svg = contour_map(&ContourMap { title, quantity: "Δf_n [µm]".to_owned(), panels, scale: None })?;
+    Ok(Some(Figure::new("measured-less-target-at-the-end", svg, "")))
 }
 
 /// Deviations of all rounds, as nets and maps with one scale.

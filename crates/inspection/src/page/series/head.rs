@@ -2,7 +2,7 @@
 
 use crate::workflow::LeftOutFile;
 use crate::workflow::series::{InspectionSeries, RefusedFile};
-use report::{ReportHead, Warning};
+use report::{FirstPage, ReportHead, TitleBlock, Warning};
 use verdict::Status;
 
 /// Whether anything has limits.
@@ -55,8 +55,9 @@ pub(super) fn head(series: &InspectionSeries) -> ReportHead {
         job_name: "Series of measured parts".into(),
         description: (!result.stated.is_empty())
             .then(|| format!("Stated about the measurements: {}.", result.stated.join("; "))),
-        process: "inspection of a series",
-        version: result.version.into(),
+        language: report::Language::default(),
+        title_block: TitleBlock::of_process("Inspection of a series", result.version),
+        first_page: FirstPage::default(),
         status: result.verdict.status().into(),
         headline: match parts {
             1 => format!("1 part evaluated. {judged}"),

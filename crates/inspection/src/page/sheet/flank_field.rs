@@ -1,12 +1,12 @@
 //! The field of one flank: lanes with traces, mean lines and bands, lines across, the bar of the scale. Material lies to the outside.
 
 use super::book::{Book, DASHED_LIMIT, GRID, LABEL, LIMIT, THIN, TRACE, centred, from_left, from_right};
-use super::deviation_scale;
 use super::flank_place::FlankPlace;
 use super::laid_row::{DIAGRAM, FIELD, PLOT, PlacedRow};
 use super::reach::{beside, zero_of};
 use super::traces_data::{LineLook, SheetTrace};
 use foundation::geometry::Flank;
+use report::charts::magnification;
 use report::charts::{INK, MUTED, Stroke, format_significant};
 
 /// Outline of a band.
@@ -88,8 +88,8 @@ fn draw_mark(book: &mut Book, [x, y]: [f64; 2], passed: bool) {
 
 /// Bars of round lengths in the outer corner: deviation below the traces, the coordinate beside them.
 fn draw_bars(book: &mut Book, row: &PlacedRow, place: &FlankPlace) {
-    let (um, across) = deviation_scale::bar(10.0, row.drawn(1.0), 2.5);
-    let (mm, along) = deviation_scale::bar(1.0, row.ordinate.magnification(), 3.0);
+    let (um, across) = magnification::bar(10.0, row.drawn(1.0), 2.5);
+    let (mm, along) = magnification::bar(1.0, row.ordinate.magnification(), 3.0);
     let [outer, inner] = [FIELD - 1.2, FIELD - 1.2 - across].map(|d| place.outward(d));
     let y = row.top + BAR_LINE;
     let bar = Stroke::solid(INK, 0.25);

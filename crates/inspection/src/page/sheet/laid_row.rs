@@ -1,10 +1,10 @@
 //! How a row of traces is laid: its heights and widths, its lanes, its magnification.
 
-use super::deviation_scale::{drawn, of_traces};
 use super::lanes::{Lane, MOST, lanes};
 use super::ordinate::Ordinate;
 use super::reach::reach;
 use super::traces_data::TraceRow;
+use report::charts::magnification::{drawn, of_traces};
 
 /// Height of the diagram and of the table below it.
 pub(super) const DIAGRAM: f64 = 56.0;

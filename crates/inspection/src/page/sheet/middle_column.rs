@@ -1,12 +1,12 @@
 //! The column between the fields: magnifications, the scale of both fields, the numbers of the teeth.
 
 use super::book::{Book, GRID, LABEL, MARGIN, WIDTH, centred, from_left, from_right};
-use super::deviation_scale::words;
 use super::flank_place::FlankPlace;
 use super::laid_row::{FIELD, PLOT, PlacedRow};
 use super::traces_data::ScaleLine;
 use foundation::geometry::Flank;
 use report::charts::format_fixed;
+use report::charts::magnification::words;
 
 /// Least distance of two labels.
 const APART: f64 = 2.3;

@@ -6,7 +6,6 @@
 mod book;
 mod check;
 mod data;
-mod deviation_scale;
 mod flank_field;
 mod flank_place;
 mod foot;

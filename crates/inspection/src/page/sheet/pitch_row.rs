@@ -2,12 +2,12 @@
 
 use super::book::{Book, GRID, LABEL, MARGIN, TEXT, THIN, WIDTH, centred, from_left, from_right};
 use super::data::{SheetPitch, SheetPitchFlank, SheetValue};
-use super::deviation_scale::{bar, drawn, from_500, words};
 use super::foot::draw_value;
 use super::pitch_strip::{Strip, draw_bars, draw_line, draw_sector, tooth_steps};
 use foundation::geometry::Flank;
 use foundation::numerics::extremes;
 use report::charts::format_significant;
+use report::charts::magnification::{bar, drawn, from_500, words};
 
 /// Height of the row.
 pub(super) const HEIGHT: f64 = 45.0;

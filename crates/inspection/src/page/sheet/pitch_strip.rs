@@ -1,7 +1,7 @@
 //! A strip over the teeth of a revolution: bars, lines with gaps, a marked sector.
 
 use super::book::{Book, GRID, LABEL, LIMIT, THIN, centred};
-use super::deviation_scale::drawn;
+use report::charts::magnification::drawn;
 use report::charts::{FAINT, MUTED, Stroke};
 
 /// Most teeth that get bars.

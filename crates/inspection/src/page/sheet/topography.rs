@@ -2,12 +2,12 @@
 
 use super::book::{BOTTOM, Book, LABEL, MARGIN, TEXT, THIN, WIDTH, centred, from_left};
 use super::data::{SheetData, SheetTopography};
-use super::deviation_scale::{bar, drawn, of_traces, words};
 use super::foot::{LINE, draw_value};
 use super::head;
 use super::text_fit::wrapped;
 use super::topography_net::Net;
 use foundation::geometry::Flank;
+use report::charts::magnification::{bar, drawn, of_traces, words};
 use report::charts::{INK, Stroke, format_significant};
 
 /// Fields on a page: columns and rows.

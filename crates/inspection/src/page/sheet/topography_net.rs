@@ -2,9 +2,9 @@
 
 use super::book::{Book, GRID, LABEL, THIN, TRACE, centred, from_left, from_right};
 use super::data::SheetTopography;
-use super::deviation_scale::drawn;
 use super::text_fit::number;
 use foundation::geometry::Flank;
+use report::charts::magnification::drawn;
 use report::charts::{FAINT, MUTED, Stroke};
 
 /// Largest cell of the net, mm on paper.

@@ -126,7 +126,7 @@ pub(super) fn simulated(
         let drawn = DrawnGear::of_setup(&made.prepared.setup)?;
         let real = made.with_deviations(of, progress)?;
         let mut found = probe::measured(&drawn, &made.prepared.setup.pair.work, &real, of, number);
-        found.name = Some(format!("{}, simulated, round {number}", asked.name));
+        found.name = Some(format!("{}, simulated, round {number}", asked.info.name));
         let mut round = judge(&made, asked, found, number, progress)?;
         let next = round.next.take();
         rounds.push(round);

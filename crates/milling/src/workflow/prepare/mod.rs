@@ -22,11 +22,12 @@ pub use mounting::Mounting;
 pub use technology::{MillingTechnology, ToolNumber};
 pub use workpiece_kind::WorkpieceKind;
 
-use crate::job::{LoadedMillingJob, MillingOutput};
+use crate::job::{LoadedMillingJob, MillingJob, MillingOutput};
+use foundation::geometry::Gear;
 use job::machine::LoadedMachine;
 use job::tables::JobInfo;
 use run::program_check::machine_of_job;
-use run::{RunFailure, face_names_remark, parquet_warning};
+use run::{RunFailure, ToothMeasures, face_names_remark, gear_of_job, parquet_warning};
 use verdict::Remark;
 
 /// A job made ready for planning.
@@ -36,6 +37,8 @@ pub struct PreparedMilling {
     pub info: JobInfo,
     /// What is milled, with what, and how.
     pub bodies: MillingBodies,
+    /// A cylindrical gear and how the thickness of its teeth is measured; `None` for other workpieces.
+    pub teeth: Option<(Gear, ToothMeasures)>,
     /// The gear and its mate, where the job has one.
     pub mate: Option<MatePair>,
     /// Feeds, speed, and the tools as programs call them.
@@ -69,6 +72,7 @@ pub fn prepare_milling(loaded: &LoadedMillingJob) -> Result<PreparedMilling, Run
     Ok(PreparedMilling {
         info: job.job.clone(),
         bodies,
+        teeth: teeth_of_job(job)?,
         mate,
         technology: MillingTechnology::of_job(job),
         tolerance_um: job.target.tolerance_um,
@@ -79,6 +83,13 @@ pub fn prepare_milling(loaded: &LoadedMillingJob) -> Result<PreparedMilling, Run
         output: job.output.clone(),
         warnings,
     })
+}
+
+fn teeth_of_job(job: &MillingJob) -> Result<Option<(Gear, ToothMeasures)>, RunFailure> {
+    let Some(drawn) = &job.gear else { return Ok(None) };
+    let gear = gear_of_job(&drawn.drawing).map_err(RunFailure::bad_input)?;
+    let measures = ToothMeasures::of(&drawn.drawing, &gear);
+    Ok(Some((gear, measures)))
 }
 
 impl PreparedMilling {

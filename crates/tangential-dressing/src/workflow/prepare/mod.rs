@@ -21,7 +21,7 @@ use generating_grinding::workflow::programs::Technology;
 use job::machine::LoadedMachine;
 use job::tables::{Control, JobInfo, Output};
 use run::program_check::machine_of_job;
-use run::{RunFailure, face_names_remark};
+use run::{RunFailure, ToothMeasures, face_names_remark};
 use targets::wanted_flank;
 use technology::technology;
 use verdict::Remark;
@@ -34,6 +34,8 @@ pub struct TangentialPrepared {
     pub model: TangentialModel,
     /// Diameters and face width of the gear.
     pub blank: Blank,
+    /// How the thickness of the gear's teeth is measured.
+    pub measures: ToothMeasures,
     /// Tip radius of the worm, mm.
     pub worm_tip_radius: f64,
     /// Width of the worm that the job gives, mm.
@@ -90,6 +92,7 @@ pub fn prepare_tangential(loaded: &LoadedTangentialJob) -> Result<TangentialPrep
         info: job.job.clone(),
         technology: technology(&machine, worm, &blank, feed)
             .with_dresser(0.5 * job.dresser.tip_diameter, model.pair.worm.data().normal_module),
+        measures: ToothMeasures::of(&job.gear, &model.input().gear),
         model,
         blank,
         worm_tip_radius,

@@ -1,19 +1,19 @@
-//! Magnification of deviations, and the round lengths that bars stand for.
+//! Magnifications of charts on paper, as gear measuring machines print them, and the round lengths that bars stand for.
 
-use report::charts::format_significant;
+use super::numbers::format_significant;
 
 /// What gear measuring machines print, the largest first.
 const USUAL: [f64; 3] = [2000.0, 1000.0, 500.0];
 
 /// The largest usual magnification at which a deviation (um) is drawn within a room (mm); a smaller round one where even 500:1 does not
 /// do.
-pub(super) fn of_traces(um: f64, room: f64) -> f64 {
+pub fn of_traces(um: f64, room: f64) -> f64 {
     let fits = |magnification: &f64| drawn(um, *magnification) <= room;
     USUAL.into_iter().find(|m| fits(m)).unwrap_or_else(|| from_500(um, room))
 }
 
 /// 500:1, or a smaller round magnification at which a deviation (um) is drawn within a room (mm).
-pub(super) fn from_500(um: f64, room: f64) -> f64 {
+pub fn from_500(um: f64, room: f64) -> f64 {
     let mut decade = 100.0;
     loop {
         for step in [5.0, 2.0, 1.0] {
@@ -28,12 +28,12 @@ pub(super) fn from_500(um: f64, room: f64) -> f64 {
 }
 
 /// Length of a deviation (um) on paper, mm.
-pub(super) fn drawn(um: f64, magnification: f64) -> f64 {
+pub fn drawn(um: f64, magnification: f64) -> f64 {
     1e-3 * um * magnification
 }
 
 /// `500:1`, or `1:20` for what is made smaller.
-pub(super) fn words(magnification: f64) -> String {
+pub fn words(magnification: f64) -> String {
     if magnification >= 1.0 {
         format!("{}:1", format_significant(magnification, 3))
     } else {
@@ -43,7 +43,7 @@ pub(super) fn words(magnification: f64) -> String {
 
 /// A round length for a bar: `usual` or that times a power of ten, so that it is between `least` and ten times that on paper; with its
 /// length there. `per_unit` is the length of a unit on paper, mm.
-pub(super) fn bar(usual: f64, per_unit: f64, least: f64) -> (f64, f64) {
+pub fn bar(usual: f64, per_unit: f64, least: f64) -> (f64, f64) {
     let mut decades = 0;
     while usual * 10f64.powi(decades) * per_unit < least {
         decades += 1;
@@ -53,6 +53,18 @@ pub(super) fn bar(usual: f64, per_unit: f64, least: f64) -> (f64, f64) {
     }
     let length = usual * 10f64.powi(decades);
     (length, length * per_unit)
+}
+
+/// Steps of a decade of magnifications.
+const STEPS: [f64; 6] = [8.0, 5.0, 4.0, 2.5, 2.0, 1.0];
+
+/// The largest round magnification at which a length is drawn within a height.
+pub fn largest(length: f64, height: f64) -> f64 {
+    let decades = if length > 0.0 { (height / length).log10().floor() } else { 0.0 };
+    // Rounding may have put the decade one too high or too low.
+    let tried = [1.0, 0.0, -1.0].into_iter().flat_map(|k| STEPS.map(|step| step * 10f64.powf(decades + k)));
+    let fits = |magnification: &f64| length * magnification <= height * (1.0 + 1e-12);
+    tried.into_iter().find(fits).unwrap_or(1.0)
 }
 
 #[cfg(test)]
@@ -80,5 +92,19 @@ mod tests {
             let (length, drawn) = bar(10.0, per_unit, 2.5);
             assert!((length / want - 1.0).abs() < 1e-12 && (2.5..25.0).contains(&drawn), "{per_unit}");
         }
+    }
+
+    #[test]
+    fn the_coordinate_fills_its_height_at_a_round_magnification() {
+        for (length, want) in
+            [(4.3, 10.0), (4.4, 8.0), (17.0, 2.5), (43.0, 1.0), (300.0, 0.1), (0.043, 1000.0)]
+        {
+            assert!(
+                (largest(length, 43.0) / want - 1.0).abs() < 1e-12,
+                "{length}: {}",
+                largest(length, 43.0)
+            );
+        }
+        assert!(largest(1e-12, 43.0).is_finite() && largest(1e12, 43.0) > 0.0 && largest(0.0, 43.0) > 0.0);
     }
 }

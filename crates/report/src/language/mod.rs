@@ -1,0 +1,46 @@
+//! The language of a page. Pages are composed in English; fixed texts, and sentences with holes for their numbers, are set in the
+//! language where the page is written, by one table of texts.
+
+mod decimal;
+mod german;
+mod sentences;
+
+use std::borrow::Cow;
+
+/// The language of a page.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Language {
+    /// English: texts as they are composed.
+    #[default]
+    English,
+    /// German.
+    German,
+}
+
+impl Language {
+    /// Its code in HTML (BCP 47).
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::English => "en",
+            Self::German => "de",
+        }
+    }
+
+    /// A text in this language. What no table knows stays English; numbers get the decimal sign of the language.
+    pub fn say(self, text: &str) -> Cow<'_, str> {
+        match self {
+            Self::English => Cow::Borrowed(text),
+            Self::German => {
+                Cow::Owned(decimal::with_commas(&sentences::german(text).unwrap_or_else(|| text.to_owned())))
+            }
+        }
+    }
+
+    /// Whether the tables of this language know a text: as it is, or as a sentence with numbers.
+    pub fn knows(self, text: &str) -> bool {
+        match self {
+            Self::English => true,
+            Self::German => sentences::german(text).is_some(),
+        }
+    }
+}
