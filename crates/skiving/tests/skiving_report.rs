@@ -188,7 +188,7 @@ fn the_angle_chart_says_how_much_it_magnifies() {
     let part = section(&text, "Angles of the edges");
     assert_holds(
         &text_of(charts(part)[0]),
-        &["compensation curve", "tolerance band D", "measured tooth centre", "Left flank", "deg", "mm"],
+        &["compensation curve", "tolerance band D", "measured tooth centre", "Left flank", "°", "mm"],
     );
     assert_holds(part, &["times as large", "D = 8 µm"]);
     let tracks = ring().prepared.bodies.flanks.left.tracks.len();

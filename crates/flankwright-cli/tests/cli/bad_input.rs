@@ -322,8 +322,8 @@ const CASES: &[Case] = &[
         &["did you mean `customer`"],
     ),
     case(
-        "name = \"twist-free-crowning\"",
-        "name = \"twist-free-crowning\"\nmachine_name = \"grinder\"",
+        "[gear]\n",
+        "machine_name = \"grinder\"\n[machine]\nfile = \"grinder.toml\"\n[gear]\n",
         "invalid-job",
         "job.machine_name",
         &["grinder", "no `machine.file`", "delete job.machine_name"],

@@ -101,7 +101,9 @@ impl Gear {
         let (mut narrower, mut per_shift) = (0.0, 0.0);
         for (side, f) in self.flanks().iter() {
             narrower += allowance[side] / (f.base_radius * f.base_helix_angle.cos());
-            per_shift += 2.0 * self.data().pressure_angle[side].tan() / self.tooth_count();
+            // How far a shift of one module narrows the half space (`Gear::new`).
+            let tangent = self.transverse_pressure_angle(side).tan();
+            per_shift += 2.0 * self.data().helix_angle.cos() * tangent / self.tooth_count();
         }
         let profile_shift = self.data().profile_shift + narrower / per_shift;
         Self::new(GearData { profile_shift, ..*self.data() })

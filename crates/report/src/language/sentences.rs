@@ -1,4 +1,4 @@
-//! Texts of the table with holes: `{n}` stands for a number, `{}` for anything, which is said in the language as well.
+//! Texts of the table with holes: `{n}` stands for a number, `{}` for anything, which appears in the language as well.
 
 use super::german::TEXTS;
 use std::collections::HashMap;
