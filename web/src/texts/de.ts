@@ -309,6 +309,7 @@ export const de: Texts = {
       prepare: "Vorbereitung",
       programs: "Programme",
       "proof of the programs": "Nachweis der Programme",
+      "stock and strokes": "Aufmaß und Hübe",
       reading: "Lesen",
       referee: "Prüflauf",
       "reference pulses": "Referenzimpulse",

@@ -389,6 +389,7 @@ export const RESULT_KEYS_DE: Record<string, string> = {
   plan: "Plan",
   referee: "Prüflauf",
   "proof of the programs": "Nachweis der Programme",
+  "stock and strokes": "Aufmaß und Hübe",
   work_reversed: "Werkstück gewendet",
   met: "erreicht",
   missed: "verfehlt",

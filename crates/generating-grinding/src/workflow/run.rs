@@ -115,7 +115,11 @@ fn finish(
     progress: &dyn Progress,
 ) -> Result<Outcome, RunFailure> {
     let partition = Partition::of_cycle(&prepared, execution.ratio, &execution.motion.shift)?;
+    let stroking = Instant::now();
     let on_stock = put_on_stock(&mut prepared, &execution)?;
+    if on_stock.is_some() {
+        timing.insert("stock and strokes", stroking.elapsed().as_secs_f64());
+    }
     let cycle = &prepared.cycle;
     let tip_lands = TipLands::of_execution(&prepared, &execution, plan.is_some())?;
     let dressing_lines = Instant::now();

@@ -30,6 +30,8 @@ pub struct ShopLimit {
 pub enum StrokesWanted {
     /// Those of `[machine]`.
     OfMachine,
+    /// The standard cycle where one keeps the limits, else those of `[machine]`.
+    Offered,
     /// By a rule within the limits.
     Rule(CycleRule),
     /// Those of the job.
@@ -188,7 +190,7 @@ impl RemovalTask {
         let tip_radius = setup.largest_tip_radius;
         let strokes = match strokes_of_job(job, (cycle, machine), (tip_radius, step_per_part)) {
             Some(listed) => StrokesWanted::Listed(listed),
-            None => rule_of_job(job).map_or(StrokesWanted::OfMachine, StrokesWanted::Rule),
+            None => unlisted_strokes(job),
         };
         let speeds = SpeedLimits {
             wheel: limits.wheel_speed_m_per_s,
@@ -256,14 +258,23 @@ fn strokes_of_job(
     Some(technology.strokes.iter().map(stroke).collect())
 }
 
-/// By which rule strokes are chosen that a job does not list.
-fn rule_of_job(job: &Job) -> Option<CycleRule> {
-    let technology = job.technology.as_ref()?;
-    let limited = technology.limits.Qw_roughing.is_some() && technology.limits.Qw_finishing.is_some();
-    let machine = job.machine.as_ref();
-    let said = machine.is_some_and(|machine| !machine.roughing_stock_um.is_empty() || machine.spark_out > 0)
-        || job.grinding.feed_per_revolution.is_some();
-    technology.cycle.or((limited && !said).then_some(CycleRule::Standard))
+/// Where strokes come from that a job does not list.
+fn unlisted_strokes(job: &Job) -> StrokesWanted {
+    let technology = job.technology.as_ref();
+    if let Some(rule) = technology.and_then(|technology| technology.cycle) {
+        return StrokesWanted::Rule(rule);
+    }
+    let limits = technology.map(|technology| technology.limits).unwrap_or_default();
+    let limited = limits.Qw_roughing.is_some() && limits.Qw_finishing.is_some();
+    let said = job
+        .machine
+        .as_ref()
+        .is_some_and(|machine| !machine.roughing_stock_um.is_empty() || machine.spark_out > 0);
+    if limited && !said && job.grinding.feed_per_revolution.is_none() {
+        StrokesWanted::Offered
+    } else {
+        StrokesWanted::OfMachine
+    }
 }
 
 impl SpeedLimits {
@@ -279,7 +290,7 @@ impl SpeedLimits {
                 let key = |k: usize| format!("technology.strokes[{k}].cutting_speed_m_per_s");
                 strokes.iter().enumerate().map(|(k, stroke)| (key(k), stroke.cutting_speed)).collect()
             }
-            StrokesWanted::OfMachine | StrokesWanted::Rule(_) => {
+            StrokesWanted::OfMachine | StrokesWanted::Offered | StrokesWanted::Rule(_) => {
                 vec![("machine.cutting_speed_m_per_s".into(), 1e-3 * machine.worm_speed() * tip_radius)]
             }
         };

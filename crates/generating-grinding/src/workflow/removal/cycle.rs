@@ -9,7 +9,7 @@ use crate::workflow::programs::{GrindingStroke, StockContact, StrokeLaw};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::MotionLaw;
 use grinding_technology::{
-    BestCycle, Bodies, Cycle, Direction, Shift, StockField, Stroke, StrokeFigures, TechnologyError,
+    Bodies, Cycle, Direction, OptimumRow, Shift, StockField, Stroke, StrokeFigures, TechnologyError,
 };
 
 /// A shift within this of a straight line over the stroke is one, mm.
@@ -119,15 +119,19 @@ impl RunCycle {
         let offers = CycleOffers::new(prepared, task, (&bodies, &field, ratios));
         let (wanted, offers) = match (&task.strokes, offers) {
             (StrokesWanted::Listed(strokes), offers) => (strokes.clone(), offers.and_then(Result::ok)),
-            (StrokesWanted::OfMachine, offers) => (of_machine(prepared, task), offers.and_then(Result::ok)),
+            (StrokesWanted::Offered, Some(Ok(offers))) => {
+                (of_rule(&offers.optimum.standard, offers.stock, (prepared, task)), Some(offers))
+            }
+            (StrokesWanted::OfMachine | StrokesWanted::Offered, offers) => {
+                (of_machine(prepared, task), offers.and_then(Result::ok))
+            }
             (StrokesWanted::Rule(rule), Some(offers)) => {
                 let offers = offers?;
                 let row = match rule {
-                    CycleRule::Standard => offers.optimum.standard,
-                    CycleRule::Fastest => offers.optimum.best,
+                    CycleRule::Standard => &offers.optimum.standard,
+                    CycleRule::Fastest => &offers.optimum.best,
                 };
-                let chosen = (row.roughing_strokes, row.cycle);
-                (of_rule(chosen, offers.stock, prepared, task), Some(offers))
+                (of_rule(row, offers.stock, (prepared, task)), Some(offers))
             }
             // The job's checks ask for the limits.
             (StrokesWanted::Rule(_), None) => (of_machine(prepared, task), None),
@@ -215,13 +219,9 @@ fn of_machine(prepared: &Prepared, task: &RemovalTask) -> Vec<WantedStroke> {
 }
 
 /// Roughing strokes of equal depth and a finishing stroke, feeds rounded down.
-fn of_rule(
-    (roughing, cycle): (usize, Option<BestCycle>),
-    stock: f64,
-    prepared: &Prepared,
-    task: &RemovalTask,
-) -> Vec<WantedStroke> {
-    let Some(cycle) = cycle else { return of_machine(prepared, task) };
+fn of_rule(row: &OptimumRow, stock: f64, (prepared, task): (&Prepared, &RemovalTask)) -> Vec<WantedStroke> {
+    let Some(cycle) = row.cycle else { return of_machine(prepared, task) };
+    let roughing = row.roughing_strokes;
     let down = |feed: f64| {
         let whole = (feed / FEED_STEP).floor() * FEED_STEP;
         if whole > 0.0 { whole } else { feed }
