@@ -18,7 +18,7 @@ pub(super) fn sheets(outcome: &TangentialOutcome) -> Vec<Sheet> {
         threads: worm.data().teeth,
         teeth: gear.data().teeth,
         feed_stroke_mm: stroke.unwrap_or_default(),
-        feed_given: prepared.gives_feed.then_some(prepared.technology.feed_per_revolution),
+        feed_given: prepared.gives_feed.then_some(prepared.technology.finishing().feed_per_revolution),
         technology: prepared.names_machine.then_some(&prepared.technology),
         programs: outcome.programs.as_ref(),
     }
