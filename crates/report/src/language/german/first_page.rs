@@ -106,6 +106,7 @@ pub(super) const TEXTS: &[Text] = &[
         "Drehzahlen: nicht angegeben, der Auftrag nennt keine Maschine.",
     ),
     ("{n} to {n}", "{} bis {}"),
+    ("{n} to {n} mm", "{} bis {} mm"),
     ("Times", "Zeiten"),
     (
         "Not known: no programs, the job names no machine.",
