@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 /// "−12.50 to 12.50".
 pub(super) fn from_to(from: f64, to: f64) -> String {
-    format!("{} … {}", format_fixed(from, 2), format_fixed(to, 2))
+    format!("{} to {}", format_fixed(from, 2), format_fixed(to, 2))
 }
 
 pub(super) fn worm(outcome: &Outcome) -> Sheet {
