@@ -1,6 +1,8 @@
 //! Stock, strokes, load of the worm, time and cost.
 
-use crate::workflow::removal::{CycleResult, CyclesResult, PartTimeResult, RemovalResult, StrokeResult};
+use crate::workflow::removal::{
+    CycleResult, CyclesResult, FlankRemovalResult, PartTimeResult, RemovalResult, StrokeResult,
+};
 use foundation::geometry::Sides;
 use report::cells::NONE;
 use report::charts::{
@@ -13,7 +15,10 @@ use report::{Block, Column, Figure, Quantity, Table};
 /// # Errors
 /// [`ChartError`].
 pub(super) fn removal(result: &RemovalResult) -> Result<Vec<Block>, ChartError> {
-    let mut blocks = vec![Block::Table(strokes(&result.strokes, result.stock.volume_mm3))];
+    let mut blocks = vec![
+        Block::Table(strokes(&result.strokes)),
+        Block::Table(removed(&result.strokes, result.stock.volume_mm3)),
+    ];
     blocks.push(Block::Figure(Figure::new(
         "removal-rate-over-time",
         line_chart(&rates(&result.strokes))?,
@@ -59,48 +64,72 @@ pub(super) fn removal(result: &RemovalResult) -> Result<Vec<Block>, ChartError> 
     Ok(blocks)
 }
 
-fn strokes(strokes: &[StrokeResult], volume_mm3: f64) -> Table {
+/// Largest of a figure over both flanks.
+fn most(stroke: &StrokeResult, figure: fn(&FlankRemovalResult) -> f64) -> f64 {
+    figure(&stroke.flanks.left).max(figure(&stroke.flanks.right))
+}
+
+fn named(k: usize, stroke: &StrokeResult) -> String {
+    format!("{} {}", k + 1, stroke.stage)
+}
+
+/// How the strokes run.
+fn strokes(strokes: &[StrokeResult]) -> Table {
     let row = |(k, stroke): (usize, &StrokeResult)| {
-        let most = |figure: fn(&crate::workflow::removal::FlankRemovalResult) -> f64| {
-            figure(&stroke.flanks.left).max(figure(&stroke.flanks.right))
-        };
         vec![
-            format!("{} {}", k + 1, stroke.stage),
+            named(k, stroke),
             sides(stroke.left_um, 1),
-            format_fixed(most(|f| f.depth_um), 1),
+            format_fixed(most(stroke, |f| f.depth_um), 1),
             format_fixed(stroke.worm_speed_rpm, 0),
             format_fixed(stroke.feed_per_revolution_mm, 3),
             format_fixed(60.0 * stroke.feed_mm_per_s, 1),
             format!("{}, {}", stroke.direction, stroke.sense),
             format_fixed(stroke.approach_mm, 1),
             format_fixed(stroke.travel_mm, 1),
-            format_fixed(stroke.volume_mm3, 1),
-            format_fixed(stroke.largest_rate_mm3_per_s, 1),
-            format_fixed(most(|f| f.specific_rate_mm3_per_mm_s), 2),
-            format_fixed(most(|f| f.contact_length_mm), 1),
-            stroke.nearest_limit.as_ref().map_or(NONE.to_owned(), |near| {
-                let key = near.limit.rsplit('.').next().unwrap_or(near.limit);
-                format!("{:.0} % of {key}", 100.0 * near.share)
-            }),
         ]
     };
     Table {
         caption: "Strokes".to_owned(),
         columns: vec![
-            Column::text("Stroke"),
+            Column::name("Stroke"),
             Column::number("Left", "µm"),
             Column::number("Depth of cut", "µm"),
             Column::number("Worm", "1/min"),
             Column::number("Feed per rev.", "mm"),
             Column::number("Feed", "mm/min"),
-            Column::text("Sense"),
+            Column::name("Sense"),
             Column::number("Approach", "mm"),
             Column::number("Travel", "mm"),
+        ],
+        rows: strokes.iter().enumerate().map(row).collect(),
+        note: String::new(),
+    }
+}
+
+/// What the strokes take, and how near they come to the limits.
+fn removed(strokes: &[StrokeResult], volume_mm3: f64) -> Table {
+    let row = |(k, stroke): (usize, &StrokeResult)| {
+        vec![
+            named(k, stroke),
+            format_fixed(stroke.volume_mm3, 1),
+            format_fixed(stroke.largest_rate_mm3_per_s, 1),
+            format_fixed(most(stroke, |f| f.specific_rate_mm3_per_mm_s), 2),
+            format_fixed(most(stroke, |f| f.contact_length_mm), 1),
+            stroke.nearest_limit.as_ref().map_or(NONE.to_owned(), |near| {
+                let key = near.limit.rsplit('.').next().unwrap_or(near.limit);
+                format!("{:.0} % {key}", 100.0 * near.share)
+            }),
+        ]
+    };
+    Table {
+        caption: "Removal rate".to_owned(),
+        columns: vec![
+            Column::name("Stroke"),
             Column::number("Volume", "mm³"),
             Column::number("Largest rate Q_w", "mm³/s"),
             Column::number("Largest Q'_w", "mm³/(mm s)"),
             Column::number("Contact length", "mm"),
-            Column::text("Nearest limit"),
+            Column::name("Nearest limit"),
         ],
         rows: strokes.iter().enumerate().map(row).collect(),
         note: format!(
@@ -173,7 +202,7 @@ fn cycles_table(cycles: &CyclesResult) -> Table {
     Table {
         caption: "Cycles within the limits".to_owned(),
         columns: vec![
-            Column::text("Cycle"),
+            Column::name("Cycle"),
             Column::number("Roughing strokes", ""),
             Column::number("Finishing takes", "µm"),
             Column::number("Feed, roughing", "mm/rev"),
@@ -182,7 +211,7 @@ fn cycles_table(cycles: &CyclesResult) -> Table {
             Column::number("Q'_w, finishing", "mm³/(mm s)"),
             Column::number("Feed marks", "µm"),
             Column::number("Parts per dressing", ""),
-            Column::number("Part", "s"),
+            Column::number("Time of a part", "s"),
         ],
         rows,
         note: format!(
