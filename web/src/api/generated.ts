@@ -1854,6 +1854,63 @@ export interface components {
        */
       profile_radius: number;
     };
+    /** @description Roughing strokes of equal depth and one finishing stroke. */
+    CycleResult: {
+      /**
+       * Format: double
+       * @description Height of the feed marks of finishing.
+       */
+      feed_mark_um: number;
+      /** @description Feed per revolution of the workpiece of roughing, 0 without, and of finishing. */
+      feed_per_revolution_mm: [number, number];
+      /**
+       * Format: double
+       * @description Depth of the finishing stroke.
+       */
+      finishing_um: number;
+      /**
+       * Format: double
+       * @description Factor on both limits of Q'_w.
+       */
+      limit_factor: number;
+      /**
+       * Format: double
+       * @description Time of a part.
+       */
+      part_s: number;
+      /**
+       * Format: double
+       * @description Parts between two dressings if the width is used at its best; absent where the job does not bound the worm's load.
+       */
+      parts_per_dressing?: number | null;
+      /**
+       * Format: uint
+       * @description Roughing strokes.
+       */
+      roughing_strokes: number;
+      /** @description Largest Q'_w of roughing, 0 without, and of finishing. */
+      specific_rate_mm3_per_mm_s: [number, number];
+    };
+    /** @description Cycles within the limits, for the largest stock on both flanks. */
+    CyclesResult: {
+      /** @description The fastest with both limits of Q'_w multiplied by a factor. */
+      by_load: components["schemas"]["CycleResult"][];
+      /** @description The fastest for each number of roughing strokes from 0; absent where none keeps the limits. */
+      by_roughing_strokes: (components["schemas"]["CycleResult"] | null)[];
+      /** @description The fastest. */
+      fastest: components["schemas"]["CycleResult"];
+      /** @description Whether the limits of the machine's axes are in the times. */
+      on_machine: boolean;
+      /** @description By the rule of thumb. */
+      standard: components["schemas"]["CycleResult"];
+      /**
+       * Format: double
+       * @description The stock that they are made for.
+       */
+      stock_um: number;
+      /** @description Whether the share of dressing is in the times. */
+      with_dressing: boolean;
+    };
     /** @description A quantity with its name. */
     DerivedQuantity: {
       /** @description Key in JSON, with the unit. */
@@ -3283,6 +3340,16 @@ export interface components {
        */
       worm_pitch_diameter_mm: number;
     };
+    /** @description How much of a limit is used. */
+    LimitShare: {
+      /** @description Key of the limit. */
+      limit: string;
+      /**
+       * Format: double
+       * @description Figure over limit; of feed marks the feed over the one that they allow.
+       */
+      share: number;
+    };
     /** @description Figures of line dressing in `result.json`. */
     LineDressingResult: {
       /**
@@ -4659,6 +4726,11 @@ export interface components {
       dressing_s: number;
       /**
        * Format: double
+       * @description The same by the law of moves from rest to rest.
+       */
+      grinding_by_law_s?: number | null;
+      /**
+       * Format: double
        * @description All grinding programs.
        */
       grinding_s: number;
@@ -5488,6 +5560,8 @@ export interface components {
     RemovalResult: {
       /** @description Cost of a part in the shop's currency; absent without its time or without `technology.cost`. */
       cost_per_part?: components["schemas"]["CostResult"] | null;
+      /** @description Cycles within the limits; absent without `technology.limits.Qw_roughing` and `Qw_finishing`, and where none keeps them. */
+      cycles?: components["schemas"]["CyclesResult"] | null;
       /** @description Figures over the shop's limits. A share above 1 says harder than what the shop calls safe, no more. */
       indicators: components["schemas"]["IndicatorResult"][];
       /** @description Time of a part; absent without programs or without `technology.times`. */
@@ -6671,14 +6745,36 @@ export interface components {
       contact_mm: [number, number];
       /**
        * Format: double
+       * @description Of the worm's tip.
+       */
+      cutting_speed_m_per_s: number;
+      /**
+       * Format: double
        * @description Diagonal ratio.
        */
       diagonal_ratio: number;
+      /** @description "up" for a feed z_V2 that rises, "down". */
+      direction: string;
+      /**
+       * Format: double
+       * @description Pause after it.
+       */
+      dwell_s: number;
+      /**
+       * Format: double
+       * @description Largest height of the feed marks.
+       */
+      feed_mark_um: number;
       /**
        * Format: double
        * @description Axial feed.
        */
       feed_mm_per_s: number;
+      /**
+       * Format: double
+       * @description Feed per revolution of the workpiece.
+       */
+      feed_per_revolution_mm: number;
       /** @description Each flank. */
       flanks: components["schemas"]["Sides5"];
       /**
@@ -6691,11 +6787,10 @@ export interface components {
        * @description Largest removal rate.
        */
       largest_rate_mm3_per_s: number;
-      /**
-       * Format: double
-       * @description Stock that it leaves, normal.
-       */
-      left_um: number;
+      /** @description Stock that it leaves on each flank, normal. */
+      left_um: components["schemas"]["Sides4"];
+      /** @description The limit that it comes nearest to; absent where it takes nothing. */
+      nearest_limit?: components["schemas"]["LimitShare"] | null;
       /** @description Removal rate at these times. */
       rate_mm3_per_s: number[];
       /** @description "climb" or "conventional". */
@@ -6726,6 +6821,8 @@ export interface components {
        * @description Worm.
        */
       worm_speed_rpm: number;
+      /** @description Area of the worm: "all", "roughing" or "finishing". */
+      zone: string;
     };
     /**
      * @description One stroke: what of which dresser touches which part of the worm's profile, and its corrections DK(v) as Chebyshev series of the

@@ -22,7 +22,6 @@ export const WORDS_DE: Record<string, string> = {
   fastest: "der schnellste",
   up: "aufwärts",
   down: "abwärts",
-  all: "alle",
   en: "Englisch",
   de: "Deutsch",
   climb: "Gleichlauf",
