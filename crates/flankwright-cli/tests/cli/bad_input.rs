@@ -597,8 +597,8 @@ const CASES: &[Case] = &[
         "[grid]",
         "[stock]\nallowance_um = 90.0\n[technology]\nlimits = { wheel_speed_m_per_s = 40.0 }\n[grid]",
         "invalid-number",
-        "machine.cutting_speed_m_per_s",
-        &["up to 40 m/s"],
+        "technology.limits.wheel_speed_m_per_s",
+        &["50 or more"],
     ),
     case(
         "[grid]",

@@ -90,6 +90,11 @@ fn values() -> Vec<(&'static str, Value)> {
         ("inspection.helix_band.upper_um", json!(0.5)),
         ("inspection.helix_band.held_at_mm", json!(5.0)),
         ("inspection.simulated.rounds", json!(2)),
+        ("stock.terms.flank", json!("right")),
+        ("technology.cycle", json!("standard")),
+        ("technology.limits.least_feed", json!(0.79)),
+        ("technology.strokes.direction", json!("up")),
+        ("technology.strokes.zone", json!("finishing")),
         ("dresser.others.modification", json!({ "kind": "profile_crowning", "amount_um": 0.5 })),
     ]);
     values

@@ -197,8 +197,7 @@ impl RemovalTask {
             worm: limits.worm_speed_rpm.map(|rpm| rpm / 60.0),
             work: limits.work_speed_rpm.map(|rpm| rpm / 60.0),
         };
-        let teeth = f64::from(job.gear.teeth.unsigned_abs());
-        speeds.check(machine, (tip_radius, f64::from(job.worm.threads) / teeth), &strokes)?;
+        speeds.check(job, (machine, tip_radius), &strokes)?;
         Ok(Some(Self {
             stock,
             strokes,
@@ -277,51 +276,99 @@ fn unlisted_strokes(job: &Job) -> StrokesWanted {
     }
 }
 
+/// A speed that limits are held against.
+struct Limited {
+    /// The key that gives it; `None` where it is a default.
+    key: Option<String>,
+    /// Of the worm's tip, m/s.
+    speed: f64,
+    /// Whether the workpiece turns with the worm.
+    grinds: bool,
+}
+
 impl SpeedLimits {
     /// Speeds of the job against its limits.
     fn check(
         &self,
-        machine: &Technology,
-        (tip_radius, work_per_worm): (f64, f64),
+        job: &Job,
+        (machine, tip_radius): (&Technology, f64),
         strokes: &StrokesWanted,
     ) -> Result<(), RunFailure> {
-        let mut found: Vec<(String, f64)> = match strokes {
+        let given = job.machine.as_ref();
+        let usual = given.and_then(|machine| machine.cutting_speed_m_per_s);
+        let usual = usual.map(|_| "machine.cutting_speed_m_per_s".to_owned());
+        let mut speeds: Vec<Limited> = match strokes {
             StrokesWanted::Listed(strokes) => {
-                let key = |k: usize| format!("technology.strokes[{k}].cutting_speed_m_per_s");
-                strokes.iter().enumerate().map(|(k, stroke)| (key(k), stroke.cutting_speed)).collect()
+                let own = job.technology.iter().flat_map(|technology| &technology.strokes);
+                let of_stroke = |(k, (stroke, own)): (usize, (&WantedStroke, &StrokeOfJob))| {
+                    let key = own.cutting_speed_m_per_s;
+                    let key = key.map(|_| format!("technology.strokes[{k}].cutting_speed_m_per_s"));
+                    Limited { key: key.or(usual.clone()), speed: stroke.cutting_speed, grinds: true }
+                };
+                strokes.iter().zip(own).enumerate().map(of_stroke).collect()
             }
             StrokesWanted::OfMachine | StrokesWanted::Offered | StrokesWanted::Rule(_) => {
-                vec![("machine.cutting_speed_m_per_s".into(), 1e-3 * machine.worm_speed() * tip_radius)]
+                let speed = 1e-3 * machine.worm_speed() * tip_radius;
+                vec![Limited { key: usual, speed, grinds: true }]
             }
         };
-        let dressing = 1e-3 * machine.dressing_speed * tip_radius;
-        found.push(("machine.dressing_worm_speed_rpm".into(), dressing));
-        let last = found.len() - 1;
-        for (k, (field, speed)) in found.into_iter().enumerate() {
-            let worm = 1e3 * speed / (TAU * tip_radius);
-            // While it is dressed no workpiece turns with the worm.
-            let work = self.work.filter(|_| k < last).map(|limit| limit / work_per_worm);
-            let shown = |per_second: f64| format!("{} 1/min", shown_number((6e4 * per_second).round() / 1e3));
+        let dressing = given.and_then(|machine| machine.dressing_worm_speed_rpm);
+        speeds.push(Limited {
+            key: dressing.map(|_| "machine.dressing_worm_speed_rpm".to_owned()),
+            speed: 1e-3 * machine.dressing_speed * tip_radius,
+            grinds: false,
+        });
+        let per_turn = 1e-3 * TAU * tip_radius;
+        let work_per_worm = f64::from(job.worm.threads) / f64::from(job.gear.teeth.unsigned_abs());
+        for limited in speeds {
+            // Each limit as a speed of the worm's tip.
             let limits = [
-                (self.wheel, "technology.limits.wheel_speed_m_per_s", speed, false),
-                (self.worm, "technology.limits.worm_speed_rpm", worm, true),
-                (work, "technology.limits.work_speed_rpm", worm, true),
+                ("wheel_speed_m_per_s", self.wheel, 1.0),
+                ("worm_speed_rpm", self.worm, per_turn),
+                ("work_speed_rpm", self.work.filter(|_| limited.grinds), per_turn / work_per_worm),
             ];
-            for (limit, key, value, of_spindle) in limits {
-                let Some(limit) = limit.filter(|limit| value > limit * (1.0 + ROUNDING)) else { continue };
-                let most = if of_spindle { 1e-3 * TAU * tip_radius * limit } else { limit };
-                let finding = Diagnostic::new(Problem::InvalidNumber, format!("faster than {key} allows"))
-                    .field(field.clone())
-                    .value(if k < last { format!("{} m/s", shown_number(speed)) } else { shown(worm) })
-                    .allowed(if k < last {
-                        format!("up to {} m/s", shown_number((most * 1e3).floor() / 1e3))
-                    } else {
-                        format!("up to {}", shown(1e3 * most / (TAU * tip_radius)))
-                    })
-                    .way_out("lower the speed, or raise the limit if wheel and spindle allow it");
-                return Err(RunFailure::bad_input(finding));
+            for (name, limit, tip_speed) in limits {
+                let most = limit.map(|limit| limit * tip_speed);
+                if let Some(most) = most.filter(|most| limited.speed > most * (1.0 + ROUNDING)) {
+                    return Err(RunFailure::bad_input(limited.refused(name, (most, tip_speed, per_turn))));
+                }
             }
         }
         Ok(())
+    }
+}
+
+impl Limited {
+    /// The finding on its key, or on that of the limit where it is a default.
+    fn refused(&self, name: &str, (most, tip_speed, per_turn): (f64, f64, f64)) -> Diagnostic {
+        let limit = format!("technology.limits.{name}");
+        let three = |value: f64| shown_number((1e3 * value).round() / 1e3);
+        let what = if self.grinds { "grinding" } else { "dressing" };
+        let text = format!(
+            "{what} at {} m/s of the worm's tip ({} 1/min) is faster than {limit} allows",
+            three(self.speed),
+            three(60.0 * self.speed / per_turn)
+        );
+        let finding = Diagnostic::new(Problem::InvalidNumber, text);
+        // Limits of spindles are stated in 1/min, a dressing speed as well.
+        let unit = if name.ends_with("rpm") { 60.0 } else { 1.0 };
+        let finding = match &self.key {
+            Some(key) if key.ends_with("rpm") => {
+                let rpm = 60.0 / per_turn;
+                finding
+                    .field(key.clone())
+                    .value(three(self.speed * rpm))
+                    .allowed(format!("up to {} 1/min", three(most * rpm)))
+            }
+            Some(key) => finding
+                .field(key.clone())
+                .value(three(self.speed))
+                .allowed(format!("up to {} m/s", three(most))),
+            None => finding
+                .field(limit)
+                .value(three(unit * most / tip_speed))
+                .allowed(format!("{} or more for the default speed", three(unit * self.speed / tip_speed))),
+        };
+        finding.way_out("lower the speed, or raise the limit if wheel and spindle allow it")
     }
 }
