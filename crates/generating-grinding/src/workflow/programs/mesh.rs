@@ -32,7 +32,7 @@ impl<'a> Mesh<'a> {
         let contacts = of_job.iter().map(|stroke| stroke.contact).collect::<Option<Vec<_>>>()?;
         let widest = contacts.iter().copied().reduce(StockContact::joined)?;
         let each = indexing.offsets.len().max(1);
-        let as_job = blocks.len() % (contacts.len() * each) == 0;
+        let as_job = blocks.len().is_multiple_of(contacts.len() * each);
         let of_stroke = |k: usize| if as_job { contacts[(k / each) % contacts.len()] } else { widest };
         let mut strokes: Vec<_> = blocks.to_vec();
         strokes.sort_unstable();
