@@ -9,8 +9,8 @@ use crate::client::Served;
 use serde_json::{Value, json};
 
 /// Names of the charts of the example, by which clients ask for them: they stay whatever the titles say.
-const CHARTS: [&str; 26] = [
-    "deviation-over-used-worm-width",
+const CHARTS: [&str; 27] = [
+    "deviation-of-the-flanks",
     "areas-over-the-width-of-the-tool",
     "target",
     "target-contour-map",
@@ -35,6 +35,7 @@ const CHARTS: [&str; 26] = [
     "grinding-axis-v1-word-y",
     "grinding-axis-b1-word-b",
     "grinding-axis-c2-word-c",
+    "deviation-over-used-worm-width",
     "convergence-of-the-precompensation",
 ];
 
