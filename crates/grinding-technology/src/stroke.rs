@@ -56,6 +56,13 @@ pub struct Stroke {
     pub zone: String,
 }
 
+impl Stroke {
+    /// Whether it leaves nothing: it makes the flank, or sparks out.
+    pub fn finishes(&self) -> bool {
+        self.left.iter().all(|(_, left)| *left == 0.0)
+    }
+}
+
 const UM: f64 = 1e3;
 
 /// Checks strokes in driving order.

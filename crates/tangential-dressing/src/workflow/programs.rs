@@ -144,8 +144,6 @@ fn work_of_pass(
         phase: driven.grinding.phase[first],
         motion: driven.grinding,
         feeds: driven.feed,
-        per_turn: pass.iter().map(|&flank| arm(flank)).fold(0.0, f64::max),
-        per_distance,
         levers: Sides::from_fn(|flank| {
             pass.contains(&flank).then(|| Lever { sine: sin_an(flank), arm: arm(flank) })
         }),

@@ -241,7 +241,7 @@ fn strokes_of_job(
         WantedStroke {
             left: given.left_um.sides().map(|_, um| UM * um),
             feed_per_revolution: given.feed_per_revolution.unwrap_or(usual.feed_per_revolution),
-            cutting_speed: given.cutting_speed_m_per_s.unwrap_or(1e-3 * usual.worm_speed * tip_radius),
+            cutting_speed: given.cutting_speed_m_per_s.unwrap_or(machine.cutting_speed(tip_radius)),
             direction: match given.direction {
                 Some(FeedDirection::Down) => Direction::Down,
                 Some(FeedDirection::Up) | None => Direction::Up,
@@ -308,8 +308,7 @@ impl SpeedLimits {
                 strokes.iter().zip(own).enumerate().map(of_stroke).collect()
             }
             StrokesWanted::OfMachine | StrokesWanted::Offered | StrokesWanted::Rule(_) => {
-                let speed = 1e-3 * machine.worm_speed() * tip_radius;
-                vec![Limited { key: usual, speed, grinds: true }]
+                vec![Limited { key: usual, speed: machine.cutting_speed(tip_radius), grinds: true }]
             }
         };
         let dressing = given.and_then(|machine| machine.dressing_worm_speed_rpm);

@@ -251,11 +251,11 @@ impl ProgramAreas {
         area: Option<usize>,
     ) -> Result<(Vec<WormUse>, Vec<Remark>), MotionError> {
         let (mut uses, mut faults) = (Vec::new(), Vec::new());
+        let least = sought.technology.least_roughing();
         for work in &sought.grinding {
             let mounts = &sought.technology.grinding;
             let strokes = tracked.grinding(sought.machine, mounts, &work.motion, work.phase)?;
             for stroke in &strokes {
-                let least = sought.technology.least_roughing();
                 self.touches(stroke, work, least, &mut uses, &mut faults);
             }
         }
@@ -285,7 +285,7 @@ impl ProgramAreas {
     ) {
         let middle = 0.5 * (work.feeds[0] + work.feeds[1]);
         let stands_off =
-            (stroke.motion.delta_d.value(middle) - work.motion.delta_d.value(middle)) * work.per_distance;
+            (stroke.motion.delta_d.value(middle) - work.motion.delta_d.value(middle)) * work.per_distance();
         let roughing = stands_off > 0.5 * least;
         let finishing: Vec<MotionLaw> =
             self.apart().into_iter().map(|by| work.motion.shift.raised(by)).collect();

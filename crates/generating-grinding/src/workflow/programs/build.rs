@@ -338,8 +338,8 @@ fn grinding_pass(
         // The worm turns one way, whichever way the feed goes.
         turning: sigma * stroke.worm_speed / speed,
         mounts: technology.grinding,
-        per_turn: work.per_turn,
-        per_distance: work.per_distance,
+        per_turn: work.per_turn(),
+        per_distance: work.per_distance(),
     });
     let [low, high] = work.feeds;
     let range = match (stroke.contact, stroke.direction) {

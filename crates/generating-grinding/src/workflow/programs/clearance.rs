@@ -2,14 +2,17 @@
 
 use super::build::Built;
 use super::cylinders::{CLEARANCE, Cylinders};
+use super::indexing::Indexing;
 use super::mesh::Mesh;
 use super::result::ClearanceResult;
 use super::surroundings::{self, Surroundings};
 use super::task::ProgramTask;
+use super::technology::Technology;
+use super::work::GrindingWork;
 use foundation::kinematics::{Dresser, Pose, Workpiece, Worm};
 use job::Diagnostic;
 use machine::{Machine, Mounts, Station};
-use motion::{MotionError, Tracked, track};
+use motion::{MotionError, ReadStroke, Tracked, track};
 use run::RunFailure;
 use run::program_check::BodyClearance;
 use std::collections::BTreeSet;
@@ -37,7 +40,7 @@ pub struct Beside {
 ///
 /// # Errors
 /// [`MotionError`]: axes without a pose.
-pub fn beside<Body: 'static>(
+fn beside<Body: 'static>(
     tracked: &Tracked,
     (machine, station, mounts): (&Machine, Station, &Mounts),
     strokes: &[[usize; 2]],
@@ -67,6 +70,45 @@ pub fn beside<Body: 'static>(
     Ok(found)
 }
 
+/// First and last block of each stroke.
+fn blocks_of<M>(strokes: &[ReadStroke<M>]) -> Vec<[usize; 2]> {
+    strokes.iter().map(|stroke| stroke.blocks).collect()
+}
+
+/// What a grinding program does to the blank beside its strokes, which stand at these blocks; `None` where the blank is not known.
+///
+/// # Errors
+/// [`MotionError`]: axes without a pose.
+pub fn beside_blank(
+    tracked: &Tracked,
+    machine: &Machine,
+    (technology, indexing, work): (&Technology, &Indexing, &GrindingWork),
+    blocks: &[[usize; 2]],
+) -> Result<Option<Beside>, MotionError> {
+    let Some(cylinders) = &technology.cylinders else { return Ok(None) };
+    let mesh = Mesh::new(tracked, blocks, (work, &technology.strokes, indexing));
+    let clear = |block: usize, bodies: &Pose<Worm, Workpiece>| {
+        mesh.as_ref().is_some_and(|mesh| mesh.is_clear(block, bodies))
+    };
+    let of = (machine, Station::Work, &technology.grinding);
+    beside::<Workpiece>(tracked, of, blocks, (cylinders, "blank", CLEARANCE), clear).map(Some)
+}
+
+/// The same of a dressing program and the dresser.
+///
+/// # Errors
+/// [`MotionError`]: axes without a pose.
+pub fn beside_dresser(
+    tracked: &Tracked,
+    machine: &Machine,
+    technology: &Technology,
+    blocks: &[[usize; 2]],
+) -> Result<Option<Beside>, MotionError> {
+    let Some(cylinders) = &technology.dresser else { return Ok(None) };
+    let of = (machine, Station::Dresser, &technology.dressing);
+    beside::<Dresser>(tracked, of, blocks, (cylinders, "dresser", CLEARANCE), |_, _| false).map(Some)
+}
+
 /// Checks from the texts that worm, blank and dresser are clear of each other beside the strokes. `None` where no bodies are known.
 ///
 /// # Errors
@@ -83,35 +125,27 @@ pub fn check(task: &ProgramTask<'_>, built: &Built) -> Result<Option<ClearanceRe
             RunFailure::not_producible(finding.field("machine").way_out(error.way_out()))
         };
         let tracked = track(&program.read, machine, &program.words, &program.start).map_err(refused)?;
-        let found = match program.station {
+        let (body, found) = match program.station {
             Station::Work => {
-                let (Some(cylinders), Some(work)) = (&technology.cylinders, task.grinding.first()) else {
+                let Some(work) = task.grinding.first().filter(|_| technology.cylinders.is_some()) else {
                     continue;
                 };
-                let mounts = &technology.grinding;
-                let strokes = tracked.grinding(machine, mounts, &work.motion, work.phase).map_err(refused)?;
-                let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
-                let of = (machine, Station::Work, mounts);
-                checked.insert("workpiece");
-                let mesh = Mesh::new(&tracked, &blocks, (work, &technology.strokes, &task.indexing));
-                let clear = |block: usize, bodies: &Pose<Worm, Workpiece>| {
-                    mesh.as_ref().is_some_and(|mesh| mesh.is_clear(block, bodies))
-                };
-                beside::<Workpiece>(&tracked, of, &blocks, (cylinders, "blank", CLEARANCE), clear)
+                let strokes = tracked.grinding(machine, &technology.grinding, &work.motion, work.phase);
+                let blocks = blocks_of(&strokes.map_err(refused)?);
+                let job = (technology, &task.indexing, work);
+                ("workpiece", beside_blank(&tracked, machine, job, &blocks))
             }
             Station::Dresser => {
-                let (Some(cylinders), Some(work)) = (&technology.dresser, task.dressing.first()) else {
+                let Some(work) = task.dressing.first().filter(|_| technology.dresser.is_some()) else {
                     continue;
                 };
-                let mounts = &technology.dressing;
-                let strokes = tracked.dressing(machine, mounts, &work.motion.chain).map_err(refused)?;
-                let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
-                let of = (machine, Station::Dresser, mounts);
-                checked.insert("dresser");
-                beside::<Dresser>(&tracked, of, &blocks, (cylinders, "dresser", CLEARANCE), |_, _| false)
+                let strokes = tracked.dressing(machine, &technology.dressing, &work.motion.chain);
+                let blocks = blocks_of(&strokes.map_err(refused)?);
+                ("dresser", beside_dresser(&tracked, machine, technology, &blocks))
             }
         };
-        let found = found.map_err(refused)?;
+        let Some(found) = found.map_err(refused)? else { continue };
+        checked.insert(body);
         least = least.min(found.least);
         in_spaces |= found.in_spaces;
         if let Some(fault) = found.faults.first() {

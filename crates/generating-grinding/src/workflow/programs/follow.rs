@@ -2,14 +2,11 @@
 //! has it. Knows no process.
 
 use super::clearance;
-use super::cylinders::CLEARANCE;
 use super::indexing::{Found, shown_blocks};
 use super::judge::{Judge, ReadBack, RunFlank};
-use super::mesh::Mesh;
 use super::single_blocks::{jumps_of_dressing, jumps_of_grinding};
 use super::sought::{Sought, nearest};
 use foundation::geometry::Sides;
-use foundation::kinematics::{Dresser, Pose, Workpiece, Worm};
 use machine::{Role, Station};
 use metrology::Topography;
 use motion::{MotionError, ReadStroke, Tracked};
@@ -97,18 +94,10 @@ pub fn follow(
             return Err(nothing("grinding"));
         }
         faults = found.faults;
-        if let Some(cylinders) = &sought.technology.cylinders {
-            let of = (sought.machine, Station::Work, &sought.technology.grinding);
-            let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
-            let strokes_of_job = &sought.technology.strokes;
-            let mesh = Mesh::new(tracked, &blocks, (sought.grinding[0], strokes_of_job, sought.indexing));
-            let clear = |block: usize, bodies: &Pose<Worm, Workpiece>| {
-                mesh.as_ref().is_some_and(|mesh| mesh.is_clear(block, bodies))
-            };
-            let blank = (cylinders, "blank", CLEARANCE);
-            let beside = clearance::beside::<Workpiece>(tracked, of, &blocks, blank, clear);
-            faults.extend(beside.map_err(refused)?.faults);
-        }
+        let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
+        let job = (sought.technology, sought.indexing, sought.grinding[0]);
+        let beside = clearance::beside_blank(tracked, sought.machine, job, &blocks);
+        faults.extend(beside.map_err(refused)?.into_iter().flat_map(|beside| beside.faults));
         faults.extend(jumps_of_grinding(&sought.grinding, &found.served, tolerance_um));
         for served in &found.served {
             let read = ReadBack { dressing: sought.own_dressing(), grinding: served.strokes.clone() };
@@ -151,13 +140,9 @@ pub fn follow(
         faults.extend(jumps_of_dressing(&sought.dressing, &found.served, tolerance_um));
         faults.extend(unfinished);
         faults.extend(of_threads);
-        if let Some(cylinders) = &sought.technology.dresser {
-            let of = (sought.machine, Station::Dresser, &sought.technology.dressing);
-            let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
-            let disc = (cylinders, "dresser", CLEARANCE);
-            let beside = clearance::beside::<Dresser>(tracked, of, &blocks, disc, |_, _| false);
-            faults.extend(beside.map_err(refused)?.faults);
-        }
+        let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
+        let beside = clearance::beside_dresser(tracked, sought.machine, sought.technology, &blocks);
+        faults.extend(beside.map_err(refused)?.into_iter().flat_map(|beside| beside.faults));
     }
     let mut checked: BTreeMap<&'static str, CheckedFlank> = BTreeMap::new();
     for LeftBy { blocks, flanks: of_blocks } in &left {

@@ -241,8 +241,8 @@ fn grinding_stock(work: &GrindingWork, stroke: &ReadStroke<GeneratingMotion>) ->
     }
     foundation::numerics::extremes(equidistant([from, to], places_along(stroke)).into_iter().flat_map(|v| {
         let (is, wanted) = (&stroke.motion, &work.motion);
-        let lifted = work.per_distance * (is.delta_d.value(v) - wanted.delta_d.value(v));
-        let turned = work.per_turn * (is.delta_phi_2.value(v) - wanted.delta_phi_2.value(v)).abs();
+        let lifted = work.per_distance() * (is.delta_d.value(v) - wanted.delta_d.value(v));
+        let turned = work.per_turn() * (is.delta_phi_2.value(v) - wanted.delta_phi_2.value(v)).abs();
         [lifted - turned, lifted + turned]
     }))
 }

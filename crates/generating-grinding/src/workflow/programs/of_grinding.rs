@@ -316,23 +316,15 @@ fn grinding_work(prepared: &Prepared, execution: &Execution) -> Vec<(GrindingWor
                 [only] => format!("GRINDING {} FLANK", only.name().to_uppercase()),
                 _ => "GRINDING BOTH FLANKS".to_owned(),
             };
-            let largest =
-                |f: &dyn Fn(Flank) -> f64| flanks.iter().map(|&flank| f(flank).abs()).fold(0.0, f64::max);
-            let lever = |flank: Flank| {
-                let f = setup.pair.work.flank(flank);
-                f.base_radius * f.base_helix_angle.cos()
-            };
-            let per_turn = largest(&lever);
             let work = GrindingWork {
                 name,
                 motion: execution.motion.clone(),
                 phase: phase[flanks[0]],
                 feeds: execution.feed_range,
-                per_turn,
-                per_distance: largest(&|flank| setup.lines[flank].sin_an),
                 levers: Sides::from_fn(|flank| {
-                    let sine = setup.lines[flank].sin_an.abs();
-                    flanks.contains(&flank).then(|| Lever { sine, arm: lever(flank) })
+                    let line = &setup.lines[flank];
+                    let lever = Lever { sine: line.sin_an.abs(), arm: line.lever.abs() };
+                    flanks.contains(&flank).then_some(lever)
                 }),
             };
             (work, flanks)

@@ -113,7 +113,7 @@ fn prove(
     let rounding = of_stations(&|pass| pass.rounding);
     // A lead that a control takes in few digits turns the workpiece over the whole feed.
     let leads = programs.iter().map(|p| p.written.rounding.lead_ratio).fold(0.0, f64::max);
-    let swept = task.grinding.iter().map(|work| (work.feeds[1] - work.feeds[0]) * work.per_turn);
+    let swept = task.grinding.iter().map(|work| (work.feeds[1] - work.feeds[0]) * work.per_turn());
     let rounding = rounding + leads * swept.fold(0.0, f64::max);
     let allowed = CHORDS * chords * 1e3 + rounding * 1e3 + MARGIN_UM;
     let fine = "lower chord_tolerance_um of the control or give it more decimals; nothing was written";

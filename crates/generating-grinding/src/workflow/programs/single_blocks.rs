@@ -39,8 +39,8 @@ pub fn jumps_of_grinding(
     let of_stroke = |(work, stroke): (&&GrindingWork, &ReadStroke<GeneratingMotion>)| {
         let (is, wanted) = (&stroke.motion, &work.motion);
         let off = |v: f64| {
-            let lifted = work.per_distance * (is.delta_d.value(v) - wanted.delta_d.value(v));
-            let turned = work.per_turn * (is.delta_phi_2.value(v) - wanted.delta_phi_2.value(v));
+            let lifted = work.per_distance() * (is.delta_d.value(v) - wanted.delta_d.value(v));
+            let turned = work.per_turn() * (is.delta_phi_2.value(v) - wanted.delta_phi_2.value(v));
             vec![lifted - turned, lifted + turned]
         };
         told(&work.name, "z_V2", stroke, work.feeds, tolerance_um, off)

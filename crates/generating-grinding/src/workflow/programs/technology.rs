@@ -120,6 +120,7 @@ impl Technology {
             body_clearance: job.body_clearance.unwrap_or(BODY_CLEARANCE),
         }
     }
+
     /// The stroke that makes the flank.
     pub fn finishing(&self) -> &GrindingStroke {
         let last = self.strokes.len().saturating_sub(1);
@@ -129,6 +130,11 @@ impl Technology {
     /// Greatest speed of the worm in any stroke, rad/s.
     pub fn worm_speed(&self) -> f64 {
         self.strokes.iter().map(|stroke| stroke.worm_speed).fold(0.0, f64::max)
+    }
+
+    /// Greatest speed of the worm's tip in any stroke, m/s.
+    pub fn cutting_speed(&self, tip_radius: f64) -> f64 {
+        1e-3 * self.worm_speed() * tip_radius
     }
 
     /// The least stock that a roughing stroke leaves, mm; infinite without one.

@@ -31,10 +31,22 @@ pub struct GrindingWork {
     pub phase: f64,
     /// Feeds z_V2 of the working part, mm.
     pub feeds: [f64; 2],
-    /// Largest r_b2 cos(beta_b2) of its flanks, mm/rad.
-    pub per_turn: f64,
-    /// Largest sin(alpha_n) of its flanks.
-    pub per_distance: f64,
     /// Of each flank that it grinds.
     pub levers: Sides<Option<Lever>>,
+}
+
+impl GrindingWork {
+    /// Largest r_b2 cos(beta_b2) of its flanks, mm/rad.
+    pub fn per_turn(&self) -> f64 {
+        self.largest(|lever| lever.arm)
+    }
+
+    /// Largest sin(alpha_n) of its flanks.
+    pub fn per_distance(&self) -> f64 {
+        self.largest(|lever| lever.sine)
+    }
+
+    fn largest(&self, of: fn(Lever) -> f64) -> f64 {
+        self.levers.iter().filter_map(|(_, lever)| lever.map(of)).fold(0.0, f64::max)
+    }
 }

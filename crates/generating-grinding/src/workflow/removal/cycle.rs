@@ -184,8 +184,8 @@ impl RunCycle {
 
     /// Feed per workpiece revolution of the stroke that makes the flank, mm.
     pub fn finishing_feed(&self) -> Option<f64> {
-        let finishes = |figures: &&StrokeFigures| figures.stroke.left.iter().all(|(_, left)| *left == 0.0);
-        self.cycle.strokes.iter().find(finishes).map(|figures| figures.stroke.feed_per_revolution)
+        let finishing = self.cycle.strokes.iter().find(|figures| figures.stroke.finishes());
+        finishing.map(|figures| figures.stroke.feed_per_revolution)
     }
 }
 
@@ -194,7 +194,7 @@ fn usual(prepared: &Prepared, task: &RemovalTask, left: f64, feed: f64) -> Wante
     WantedStroke {
         left: Sides::both(left),
         feed_per_revolution: feed,
-        cutting_speed: cutting_speed(prepared),
+        cutting_speed: prepared.technology.cutting_speed(prepared.setup.largest_tip_radius),
         direction: Direction::Up,
         ratio: None,
         origin: None,
@@ -203,11 +203,6 @@ fn usual(prepared: &Prepared, task: &RemovalTask, left: f64, feed: f64) -> Wante
         dwell: 0.0,
         zone: None,
     }
-}
-
-/// Of the worm's tip, m/s.
-pub(super) fn cutting_speed(prepared: &Prepared) -> f64 {
-    1e-3 * prepared.technology.worm_speed() * prepared.setup.largest_tip_radius
 }
 
 /// Roughing, finishing and spark-out as `[machine]` has them.

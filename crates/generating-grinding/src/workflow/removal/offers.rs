@@ -1,6 +1,5 @@
 //! Cycles within the limits of a job: by the rule of thumb, the fastest, and how the time goes with the load.
 
-use super::cycle::cutting_speed;
 use crate::workflow::prepare::{Prepared, RemovalTask};
 use foundation::geometry::Flank;
 use grinding_technology::{
@@ -67,7 +66,7 @@ impl CycleOffers {
             let times = task.times.unwrap_or_default();
             let optimum = OptimumTask {
                 stock,
-                cutting_speed: cutting_speed(prepared),
+                cutting_speed: prepared.technology.cutting_speed(bodies.worm_tip_radius),
                 least_feed: limits.feed[0],
                 largest_feed: limits.feed[1],
                 feed_mark: limits.feed_mark,

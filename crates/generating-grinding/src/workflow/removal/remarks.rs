@@ -1,7 +1,7 @@
 //! Figures over the limits of the shop, and what to know of stock, strokes, width and time.
 
 use super::result::{IndicatorResult, PartTimeResult, RemovalResult, WormLoadResult};
-use super::strokes::{finishes, largest};
+use super::strokes::largest;
 use super::time::of_one_control;
 use super::{RPM, UM};
 use crate::workflow::prepare::RemovalTask;
@@ -21,10 +21,10 @@ pub(super) fn indicators(
     load: Option<&WormLoadResult>,
 ) -> Vec<IndicatorResult> {
     let rate = |roughing: bool| {
-        let strokes = cycle.strokes.iter().filter(|figures| finishes(figures) != roughing);
+        let strokes = cycle.strokes.iter().filter(|figures| figures.stroke.finishes() != roughing);
         strokes.map(|figures| largest(figures, |flank| flank.rate_bound)).fold(0.0, f64::max)
     };
-    let mark = cycle.strokes.iter().filter(|figures| finishes(figures));
+    let mark = cycle.strokes.iter().filter(|figures| figures.stroke.finishes());
     let mark =
         UM * mark.map(|figures| largest(figures, |flank| flank.feed_mark)).fold(f64::INFINITY, f64::min);
     let mut found = Vec::new();

@@ -23,7 +23,7 @@ pub(super) fn stroke_result(cycle: &Cycle, k: usize, task: &RemovalTask) -> Stro
     let figures = &cycle.strokes[k];
     let [time, rate] = over_time(cycle, k);
     let most = |list: &[f64]| list.iter().copied().fold(0.0, f64::max);
-    let leaves = !finishes(figures);
+    let leaves = !figures.stroke.finishes();
     StrokeResult {
         stage: match (leaves, figures.volume > 0.0) {
             (true, _) => "roughing",
@@ -69,11 +69,6 @@ pub(super) fn stroke_result(cycle: &Cycle, k: usize, task: &RemovalTask) -> Stro
     }
 }
 
-/// Whether a stroke leaves nothing.
-pub(super) fn finishes(figures: &StrokeFigures) -> bool {
-    figures.stroke.left.iter().all(|(_, left)| *left == 0.0)
-}
-
 /// Largest of a figure over the stations of both flanks.
 pub(super) fn largest<const N: usize>(figures: &StrokeFigures, of: fn(&FlankStroke) -> [f64; N]) -> f64 {
     Flank::BOTH.iter().flat_map(|&flank| of(&figures.flanks[flank])).fold(0.0, f64::max)
@@ -85,7 +80,7 @@ fn nearest_limit(figures: &StrokeFigures, task: &RemovalTask) -> Option<LimitSha
         return None;
     }
     let rate = largest(figures, |flank| flank.rate_bound);
-    let (key, allowed) = if finishes(figures) {
+    let (key, allowed) = if figures.stroke.finishes() {
         ("technology.limits.Qw_finishing", task.rates.finishing)
     } else {
         ("technology.limits.Qw_roughing", task.rates.roughing)
@@ -93,8 +88,10 @@ fn nearest_limit(figures: &StrokeFigures, task: &RemovalTask) -> Option<LimitSha
     let rate = allowed.map(|allowed| LimitShare { limit: key, share: rate / allowed });
     // Marks go with the square of the feed: the share is that of the feed.
     let mark = largest(figures, |flank| flank.feed_mark) / task.cycle_limits.feed_mark;
-    let mark =
-        finishes(figures).then(|| LimitShare { limit: "technology.limits.feed_mark_um", share: mark.sqrt() });
+    let mark = figures
+        .stroke
+        .finishes()
+        .then(|| LimitShare { limit: "technology.limits.feed_mark_um", share: mark.sqrt() });
     let feed = LimitShare {
         limit: "technology.limits.largest_feed",
         share: figures.stroke.feed_per_revolution / task.cycle_limits.feed[1],

@@ -51,7 +51,7 @@ pub(super) fn life_of(
         first_tip_diameter: 2.0 * tip_radius,
         last_tip_diameter,
         radial_per_dressing,
-        cutting_speed: 1e-3 * prepared.technology.worm_speed() * tip_radius,
+        cutting_speed: prepared.technology.cutting_speed(tip_radius),
         largest_worm_speed: task.speeds.worm.unwrap_or(NO_LIMIT),
         largest_work_speed: task.speeds.work.unwrap_or(NO_LIMIT),
         // How the parts change with the diameter is all that is asked.
