@@ -4,6 +4,7 @@
 pub mod choices;
 pub mod control;
 pub mod gear;
+mod gear_body;
 pub mod grid;
 pub mod machine;
 pub mod one_or_sides;
@@ -13,7 +14,7 @@ pub mod target;
 
 pub use choices::{Flanks, Hand};
 pub use control::{Control, FeedSenses};
-pub use gear::{Evaluation, EvaluationRange, Gear, OverBalls, Span};
+pub use gear::{Allowances, Evaluation, EvaluationRange, Gear, MeasuredOver, OverBalls, Span};
 pub use grid::Grid;
 pub use machine::{BODY_CLEARANCE, Clamping, ClampingBody, Machine};
 pub use one_or_sides::{OneOrSides, one_or_sides_schema, pressure_angle_schema};

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Map, Value};
+use std::borrow::Cow;
 use std::fmt::Write;
 
 /// Sections in the order of the printed text.
@@ -24,9 +25,9 @@ pub struct DerivedSection {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DerivedQuantity {
     /// Key in JSON, with the unit.
-    pub key: &'static str,
+    pub key: Cow<'static, str>,
     /// Name.
-    pub label: &'static str,
+    pub label: Cow<'static, str>,
     /// Number or word.
     pub value: Value,
     /// Unit, empty where there is none.
@@ -47,13 +48,18 @@ impl DerivedGeometry {
     /// Adds a quantity to the last section.
     pub fn quantity(
         &mut self,
-        key: &'static str,
-        label: &'static str,
+        key: impl Into<Cow<'static, str>>,
+        label: impl Into<Cow<'static, str>>,
         value: impl Into<Value>,
         unit: &'static str,
     ) {
         if let Some(section) = self.sections.last_mut() {
-            section.quantities.push(DerivedQuantity { key, label, value: value.into(), unit });
+            section.quantities.push(DerivedQuantity {
+                key: key.into(),
+                label: label.into(),
+                value: value.into(),
+                unit,
+            });
         }
     }
 
@@ -61,7 +67,7 @@ impl DerivedGeometry {
     pub fn to_json(&self) -> Value {
         let section = |section: &DerivedSection| {
             let quantities: Map<String, Value> =
-                section.quantities.iter().map(|q| (q.key.to_owned(), q.value.clone())).collect();
+                section.quantities.iter().map(|q| (q.key.clone().into_owned(), q.value.clone())).collect();
             (section.title.replace(' ', "_"), Value::Object(quantities))
         };
         Value::Object(self.sections.iter().map(section).collect())
@@ -81,7 +87,7 @@ impl DerivedGeometry {
                     }
                     other => other.to_string(),
                 };
-                let _ = writeln!(text, "  {:<36} {value} {}", quantity.label, quantity.unit);
+                let _ = writeln!(text, "  {:<46} {value} {}", quantity.label, quantity.unit);
             }
         }
         text

@@ -1,7 +1,7 @@
 //! The gear of a job as bodies, and what is wanted of its flanks: for every process that makes one.
 
 use super::finding::{geometry_finding, modification_finding};
-use foundation::geometry::{Blank, Flank, Gear, GearData, ThicknessMeasure};
+use foundation::geometry::{Blank, Flank, Gear};
 use foundation::modification::{
     EvaluationField, GridTable, Modification, ModificationFiles, ModificationSpec,
 };
@@ -32,30 +32,12 @@ pub fn job_files<J>(loaded: &Loaded<J>) -> impl ModificationFiles + '_ {
     Beside(loaded)
 }
 
-/// The gear of the table `[gear]` of a job, with its thickness measure turned into the profile shift.
+/// The gear of the table `[gear]` of a job, in the middle between the allowances of its thickness.
 ///
 /// # Errors
 /// A finding on the key concerned.
 pub fn gear_of_job(g: &JobGear) -> Result<Gear, Diagnostic> {
-    let data = GearData {
-        teeth: g.teeth,
-        normal_module: g.normal_module,
-        pressure_angle: g.normal_pressure_angle_deg.sides().map(|_, a| a.to_radians()),
-        helix_angle: g.helix_angle_deg.to_radians(),
-        profile_shift: 0.0,
-        cone_angle: g.cone_angle_deg.to_radians(),
-    };
-    let measure = if let Some(s) = g.normal_tooth_thickness {
-        ThicknessMeasure::NormalThickness(s)
-    } else if let Some(span) = &g.span {
-        ThicknessMeasure::Span { teeth: span.teeth, length: span.length }
-    } else if let Some(balls) = &g.over_balls {
-        ThicknessMeasure::OverBalls { ball: balls.ball, size: balls.size }
-    } else {
-        ThicknessMeasure::ProfileShift(g.profile_shift.unwrap_or(0.0))
-    };
-    let profile_shift = measure.profile_shift(data).map_err(|e| geometry_finding(&e, "gear"))?;
-    Gear::new(GearData { profile_shift, ..data }).map_err(|e| geometry_finding(&e, "gear"))
+    g.body().map_err(|e| geometry_finding(&e, "gear"))
 }
 
 /// Diameters and face width of the table `[gear]` of a job.

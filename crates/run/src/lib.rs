@@ -6,6 +6,7 @@ pub mod cancel;
 mod characteristics;
 pub mod control;
 pub mod derived;
+mod derived_gear;
 mod document;
 pub mod elsewhere;
 mod evidence;
@@ -34,6 +35,7 @@ mod write_error;
 
 pub use characteristics::CharacteristicsUm;
 pub use derived::{DerivedGeometry, DerivedQuantity, DerivedSection};
+pub use derived_gear::gear_sections;
 pub use document::DocumentFormat;
 pub use elsewhere::standing_elsewhere;
 pub use evidence::Evidence;

@@ -109,6 +109,14 @@ pub enum GeometryError {
         /// Why.
         reason: &'static str,
     },
+    /// No straight roll lies in the space.
+    #[error("a size over rolls is undefined: {reason}")]
+    #[finding(code = "rolls-undefined")]
+    #[way_out("measure over balls instead")]
+    RollsUndefined {
+        /// Why.
+        reason: &'static str,
+    },
     /// The measuring ball sinks below the base circle.
     #[error("the ball of {ball} mm is too small for the tooth space")]
     #[finding(code = "ball-too-small")]

@@ -8,6 +8,7 @@ mod gear;
 mod involute;
 mod rack;
 mod revolution;
+mod rolls;
 mod sides;
 mod skiving_tool;
 mod surface;
@@ -23,6 +24,7 @@ pub use gear::{Gear, GearData, involute_function};
 pub use involute::{FlankDeviation, FlankFrame, InvoluteFlank};
 pub use rack::Rack;
 pub use revolution::{MeridianPoint, ProfileOffset, Revolution};
+pub use rolls::OverRolls;
 pub use sides::{Flank, Sides};
 pub use skiving_tool::{ConeRake, EdgeRounding, PlaneRake, RakeFace, SkivingTool, SphericalRake};
 pub use surface::{

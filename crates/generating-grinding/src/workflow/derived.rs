@@ -1,13 +1,14 @@
 //! Gear, worm and dresser of a grinding job, and how they stand.
 
+use super::machine_fit::{self, MachineFit};
 use crate::catalogue::LoadedCatalogue;
 use crate::job::LoadedJob;
 use crate::workflow::catalogue::wanted_of_catalogue;
-use crate::workflow::prepare;
-use foundation::geometry::{Flank, Gear};
+use crate::workflow::prepare::{Prepared, prepare};
+use foundation::geometry::Flank;
 use generating::GrindingSetup;
-use job::tables::Gear as JobGear;
-use run::{DerivedGeometry, RunFailure, ToothMeasures, gear_of_job};
+use job::machine::LoadedMachine;
+use run::{DerivedGeometry, RunFailure, gear_of_job, gear_sections};
 use verdict::Remark;
 
 /// What follows from the job: base data and measures of the gear, worm, dresser and how they stand; of a catalogue how much it
@@ -22,7 +23,7 @@ pub fn of_grinding(
     let job = &loaded.job;
     let mut derived = DerivedGeometry::default();
     let gear = gear_of_job(&job.gear).map_err(RunFailure::bad_input)?;
-    gear_sections(&mut derived, &job.gear, &gear);
+    gear_sections(&mut derived, &job.gear, &gear).map_err(RunFailure::bad_input)?;
     if let Some(found) = catalogue {
         let wanted = wanted_of_catalogue(loaded, found)?;
         derived.section("catalogue");
@@ -41,7 +42,7 @@ pub fn of_grinding(
         return Ok((derived, Vec::new()));
     }
     let cylindrical = gear.is_cylindrical() && job.worm.cone_angle_deg == 0.0;
-    let ready = prepare(loaded)?;
+    let ready = prepare(loaded)?.on_machine(loaded)?;
     if !cylindrical {
         let mut remarks = ready.warnings;
         remarks.push(Remark {
@@ -52,71 +53,75 @@ pub fn of_grinding(
         return Ok((derived, remarks));
     }
     tool_sections(&mut derived, &ready.setup);
-    Ok((derived, ready.warnings))
+    contact_section(&mut derived, &ready);
+    let mut remarks = ready.warnings.clone();
+    if let Some(machine) = &ready.machine {
+        remarks.extend(machine_section(&mut derived, &ready, machine));
+    }
+    Ok((derived, remarks))
 }
 
-/// Base data and measures of the gear, as sections.
-pub fn gear_sections(derived: &mut DerivedGeometry, drawing: &JobGear, gear: &Gear) {
-    let range = drawing.evaluation_range();
-    derived.section("evaluation");
-    derived.quantity("start_diameter", "start diameter", range.start_diameter, "mm");
-    derived.quantity("end_diameter", "end diameter", range.end_diameter, "mm");
-    derived.quantity("z_start", "z start", range.z_start, "mm");
-    derived.quantity("z_end", "z end", range.z_end, "mm");
-    derived.section("gear");
-    derived.quantity("pitch_diameter_mm", "pitch diameter", 2.0 * gear.pitch_radius(), "mm");
-    derived.quantity("transverse_module_mm", "transverse module", gear.transverse_module(), "mm");
-    derived.quantity("profile_shift", "profile shift coefficient", gear.data().profile_shift, "");
-    if let Ok(thickness) = gear.transverse_thickness(gear.pitch_radius(), 0.0) {
-        derived.quantity(
-            "transverse_tooth_thickness_mm",
-            "transverse tooth thickness at pitch",
-            thickness,
-            "mm",
-        );
+/// What the worm reaches, and which feeds and part of it grind the evaluated field.
+fn contact_section(derived: &mut DerivedGeometry, ready: &Prepared) {
+    let setup = &ready.setup;
+    derived.section("grinding contact");
+    for flank in machine_fit::which(ready) {
+        let pair = &setup.pair.flanks[flank];
+        let Ok(at_tip) = pair.worm.length_of_roll(setup.worm_tip_radius) else { continue };
+        let from = 2.0 * pair.work.radius(pair.work_roll(at_tip, 0.0, 0.0).max(0.0));
+        let (key, label) = match flank {
+            Flank::Left => ("generated_from_left_mm", "worm's tip generates the involute from d, left"),
+            Flank::Right => ("generated_from_right_mm", "worm's tip generates the involute from d, right"),
+        };
+        derived.quantity(key, label, from, "mm");
     }
-    for (flank, f) in gear.flanks().iter() {
-        let keys = flank_keys(flank);
-        derived.quantity(keys[0], keys[1], 2.0 * f.base_radius, "mm");
-        derived.quantity(keys[2], keys[3], f.base_helix_angle.to_degrees(), "deg");
-        derived.quantity(keys[4], keys[5], gear.transverse_pressure_angle(flank).to_degrees(), "deg");
-        derived.quantity(keys[6], keys[7], gear.normal_base_pitch(flank), "mm");
+    let root = 0.5 * setup.input.blank.root_diameter;
+    let tip = 0.5 * setup.input.blank.tip_diameter;
+    let distance = setup.pair.chain.centre_distance;
+    derived.quantity(
+        "clearance_root_mm",
+        "worm's tip to the gear's root",
+        distance - setup.worm_tip_radius - root,
+        "mm",
+    );
+    derived.quantity(
+        "clearance_tip_mm",
+        "gear's tip to the worm's root",
+        distance - setup.worm_root_radius - tip,
+        "mm",
+    );
+    let (ratio, law) = machine_fit::shift_known_before(ready);
+    if ready.law.is_none() {
+        let label = if ready.rules.given_ratio.is_some() || ready.rules.radial {
+            "diagonal ratio"
+        } else {
+            "diagonal ratio (a plan chooses it; from here on without)"
+        };
+        derived.quantity("diagonal_ratio", label, ratio, "");
     }
-    let measures = ToothMeasures::of(drawing, gear);
-    if let Some(span) = measures.span(gear) {
-        derived.quantity("span_teeth", "teeth spanned k", span.teeth, "");
-        derived.quantity("span_mm", "span W_k", span.length, "mm");
-    }
-    if let Some(balls) = measures.over_balls(gear) {
-        derived.quantity("ball_diameter_mm", "ball diameter D_M", balls.ball, "mm");
-        derived.quantity("over_balls_mm", "size over balls M_dK", balls.size, "mm");
+    let [from, to] = machine_fit::feeds(ready, &law);
+    derived.quantity("feed_from_mm", "feed z_V2 from, with overrun", from, "mm");
+    derived.quantity("feed_to_mm", "feed z_V2 to, with overrun", to, "mm");
+    let [low, high] = setup.occupation(&law, &machine_fit::which(ready));
+    derived.quantity("worm_used_mm", "width of the worm that grinds", high - low, "mm");
+    if let Some(width) = setup.input.worm_width {
+        let room = width - (high - low) - 2.0 * setup.run_in();
+        derived.quantity("worm_room_mm", "left of its width beside the run-in", room, "mm");
     }
 }
 
-/// Keys of the quantities of a flank.
-pub fn flank_keys(flank: Flank) -> [&'static str; 8] {
-    match flank {
-        Flank::Left => [
-            "base_diameter_left_mm",
-            "base diameter, left",
-            "base_helix_angle_left_deg",
-            "base helix angle, left",
-            "transverse_pressure_angle_left_deg",
-            "transverse pressure angle, left",
-            "normal_base_pitch_left_mm",
-            "normal base pitch, left",
-        ],
-        Flank::Right => [
-            "base_diameter_right_mm",
-            "base diameter, right",
-            "base_helix_angle_right_deg",
-            "base helix angle, right",
-            "transverse_pressure_angle_right_deg",
-            "transverse pressure angle, right",
-            "normal_base_pitch_right_mm",
-            "normal base pitch, right",
-        ],
+/// The axes of the machine, and what does not fit.
+fn machine_section(derived: &mut DerivedGeometry, ready: &Prepared, machine: &LoadedMachine) -> Vec<Remark> {
+    let MachineFit { axes, remarks } = machine_fit::machine_fit(ready, machine);
+    derived.section("machine, before corrections");
+    for need in axes {
+        let key = |what: &str| format!("{}_{what}_{}", need.axis, need.unit);
+        let label = |what: &str| format!("{} {what}", need.axis);
+        derived.quantity(key("from"), label("from"), need.needed[0], need.unit);
+        derived.quantity(key("to"), label("to"), need.needed[1], need.unit);
+        derived.quantity(key("room"), label("room to the end of travel"), need.room(), need.unit);
     }
+    remarks
 }
 
 fn tool_sections(derived: &mut DerivedGeometry, setup: &GrindingSetup) {

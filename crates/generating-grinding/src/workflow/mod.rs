@@ -17,6 +17,7 @@ pub mod gear_root;
 pub mod generating_finding;
 pub mod influence;
 pub mod line_dressing;
+mod machine_fit;
 mod miss;
 pub mod occupation;
 pub mod partition;

@@ -142,6 +142,18 @@ fn lost_keys(gear: &JobGear, document: &RexsDocument) -> Option<RexsWarning> {
     if gear.evaluation.is_some() && back.evaluation.is_none() {
         lost.push("gear.evaluation");
     }
+    for (key, given) in [
+        (
+            "gear.allowances_um (the gear is exported in the middle between them)",
+            gear.allowances_um.is_some(),
+        ),
+        ("gear.measured_over", gear.measured_over.is_some()),
+        ("gear.tolerance_class", gear.tolerance_class.is_some()),
+    ] {
+        if given {
+            lost.push(key);
+        }
+    }
     let exported = if lost.len() == 1 { "it is" } else { "they are" };
     let message = format!("REXS has no attribute for {}; {exported} not exported", lost.join(" and "));
     (!lost.is_empty()).then(|| RexsWarning::new(RexsWarningKind::Lost, message))

@@ -8,6 +8,7 @@ use crate::tables::Gear;
 /// What contradicts itself in `[gear]`.
 pub fn check(gear: &Gear, findings: &mut Vec<Diagnostic>) {
     thickness(gear, findings);
+    allowances(gear, findings);
     diameters(gear, findings);
     evaluation(gear, findings);
 }
@@ -37,6 +38,17 @@ fn thickness(gear: &Gear, findings: &mut Vec<Diagnostic>) {
                 .way_out("keep the one that the drawing gives")
         })),
     }
+}
+
+fn allowances(gear: &Gear, findings: &mut Vec<Diagnostic>) {
+    let Some(given) = gear.allowances_um.filter(|given| given.lower > given.upper) else { return };
+    findings.push(
+        Diagnostic::new(Problem::InvalidJob, "the lower allowance lies above the upper one")
+            .field("gear.allowances_um.lower")
+            .value(shown_number(given.lower))
+            .allowed(format!("up to {}, the upper allowance", shown_number(given.upper)))
+            .way_out("exchange both, with their signs: -90 lies below -50"),
+    );
 }
 
 /// Diameters in the order in which they must grow from the tooth root towards its tip.

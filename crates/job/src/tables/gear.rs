@@ -42,6 +42,17 @@ pub struct Gear {
     /// Measurement over (internal: between) balls.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub over_balls: Option<OverBalls>,
+    /// Allowances of the tooth thickness, by the measure that gives it: of the span, of the size over balls, else of the normal tooth thickness.
+    /// Teeth are made in the middle between both limits; default none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub allowances_um: Option<Allowances>,
+    /// How the tooth thickness is measured; what is absent is chosen so that it touches the middle of the flank.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub measured_over: Option<MeasuredOver>,
+    /// Flank tolerance class of ISO 1328-1:2013: `check` lists its tolerances, `inspect` judges a measured gear by it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = 1, "maximum" = 11, "x-way-out" = "give a class of ISO 1328-1:2013, 1 to 11"))]
+    pub tolerance_class: Option<i32>,
     /// Face width.
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 5000, "x-way-out" = "give the face width in mm"))]
     pub face_width: f64,
@@ -87,6 +98,43 @@ pub struct OverBalls {
     /// Diametral size over (internal: between) balls in mm.
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 20000, "x-way-out" = "give the size over balls in mm"))]
     pub size: f64,
+}
+
+/// Lower and upper allowance of a measure of the tooth thickness.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Allowances {
+    /// Lower allowance, um.
+    #[schemars(extend("minimum" = -5000, "maximum" = 5000, "x-way-out" = "give the lower allowance in um, e.g. -90"))]
+    pub lower: f64,
+    /// Upper allowance, um.
+    #[schemars(extend("minimum" = -5000, "maximum" = 5000, "x-way-out" = "give the upper allowance in um, e.g. -50"))]
+    pub upper: f64,
+}
+
+impl Allowances {
+    /// Between both, um.
+    pub fn middle(&self) -> f64 {
+        0.5 * (self.lower + self.upper)
+    }
+}
+
+/// What the tooth thickness is measured over.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeasuredOver {
+    /// Teeth (internal gear: spaces) spanned; default those of `span`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = 1, "maximum" = 2000, "x-way-out" = "give the number of teeth spanned"))]
+    pub span_teeth: Option<u32>,
+    /// Diameter of the balls in mm; default that of `over_balls`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000, "x-way-out" = "give the diameter of the balls in mm"))]
+    pub ball_diameter: Option<f64>,
+    /// Diameter of the rolls in mm; without it no size over rolls is listed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000, "x-way-out" = "give the diameter of the rolls in mm"))]
+    pub roll_diameter: Option<f64>,
 }
 
 /// Field on which the flank is evaluated; what is absent follows from the gear.

@@ -7,7 +7,7 @@ use super::flank_field::FlankField;
 use super::gear::RexsGear;
 use super::warning::{RexsWarning, RexsWarningKind};
 use crate::inspection::DatumFace;
-use foundation::geometry::{Flank, GearData, Sides, ThicknessMeasure};
+use foundation::geometry::{Flank, Sides};
 use foundation::modification::{FlankChoice, ModificationSpec};
 use job::tables::{Evaluation, Gear as JobGear, OneOrSides};
 
@@ -27,25 +27,7 @@ impl RexsGear {
             });
         }
         let angles = gear.normal_pressure_angle_deg.sides();
-        let measure = if let Some(thickness) = gear.normal_tooth_thickness {
-            ThicknessMeasure::NormalThickness(thickness)
-        } else if let Some(span) = gear.span {
-            ThicknessMeasure::Span { teeth: span.teeth, length: span.length }
-        } else if let Some(balls) = gear.over_balls {
-            ThicknessMeasure::OverBalls { ball: balls.ball, size: balls.size }
-        } else {
-            ThicknessMeasure::ProfileShift(gear.profile_shift.unwrap_or(0.0))
-        };
-        let unshifted = GearData {
-            teeth: gear.teeth,
-            normal_module: gear.normal_module,
-            pressure_angle: angles.map(|_, angle| angle.to_radians()),
-            helix_angle: gear.helix_angle_deg.to_radians(),
-            profile_shift: 0.0,
-            cone_angle: 0.0,
-        };
-        let profile_shift =
-            measure.profile_shift(unshifted).map_err(|error| RexsError::NoGear { gear: 0, error })?;
+        let body = gear.body().map_err(|error| RexsError::NoGear { gear: 0, error })?;
         let range = gear.evaluation_range();
         let field = FlankField {
             start_diameter_mm: Some(range.start_diameter),
@@ -60,7 +42,7 @@ impl RexsGear {
             normal_module_mm: gear.normal_module,
             normal_pressure_angle_deg: angles,
             helix_angle_deg: gear.helix_angle_deg,
-            profile_shift,
+            profile_shift: body.data().profile_shift,
             face_width_mm: gear.face_width,
             tip_diameter_mm: Some(gear.tip_diameter),
             root_diameter_mm: Some(gear.root_diameter),
@@ -115,6 +97,9 @@ impl RexsGear {
             normal_tooth_thickness: None,
             span: None,
             over_balls: None,
+            allowances_um: None,
+            measured_over: None,
+            tolerance_class: None,
             face_width: self.face_width_mm,
             tip_diameter: needed(self.tip_diameter_mm, "tip_diameter")?,
             root_diameter: needed(self.root_diameter_mm, "root_diameter")?,

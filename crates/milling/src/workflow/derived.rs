@@ -4,15 +4,19 @@ use crate::Half;
 use crate::job::LoadedMillingJob;
 use crate::workflow::prepare_milling;
 use foundation::geometry::Flank;
-use run::{DerivedGeometry, RunFailure};
+use run::{DerivedGeometry, RunFailure, gear_of_job, gear_sections};
 
-/// Of a job of five-axis milling: what the guide curve has to cover, where the active flank lies.
+/// Of a job of five-axis milling: the drawing of a cylindrical gear, what the guide curve has to cover, where the active flank lies.
 ///
 /// # Errors
 /// Bodies that do not fit, column planes that do not meet the flank.
 pub fn of_milling(loaded: &LoadedMillingJob) -> Result<DerivedGeometry, RunFailure> {
     let bodies = prepare_milling(loaded)?.bodies;
     let mut derived = DerivedGeometry::default();
+    if let Some(given) = &loaded.job.gear {
+        let gear = gear_of_job(&given.drawing).map_err(RunFailure::bad_input)?;
+        gear_sections(&mut derived, &given.drawing, &gear).map_err(RunFailure::bad_input)?;
+    }
     derived.section("workpiece");
     derived.quantity("spaces", "tooth spaces", bodies.spaces as u64, "");
     derived.quantity("milled_spaces", "of these milled", bodies.milled as u64, "");

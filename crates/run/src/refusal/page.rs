@@ -93,7 +93,7 @@ fn body_tables(bodies: &DerivedGeometry) -> Vec<Table> {
             rows: section
                 .quantities
                 .iter()
-                .map(|q| vec![q.label.to_owned(), text(&q.value), unit(q.unit).into_owned()])
+                .map(|q| vec![q.label.to_string(), text(&q.value), unit(q.unit).into_owned()])
                 .collect(),
             note: String::new(),
         })

@@ -3,9 +3,9 @@
 use crate::job::LoadedSkivingJob;
 use crate::workflow::prepare_skiving;
 use foundation::geometry::Flank;
-use run::{DerivedGeometry, RunFailure};
+use run::{DerivedGeometry, RunFailure, gear_of_job, gear_sections};
 
-/// Of a job of measuring a skiving tool: how tool and workpiece stand, edges, tracks.
+/// Of a job of measuring a skiving tool: the drawing of the workpiece, how tool and workpiece stand, edges, tracks.
 ///
 /// # Errors
 /// Bodies that do not skive, an edge that does not make the flank, poses that the machine does not reach.
@@ -13,6 +13,8 @@ pub fn of_skiving(loaded: &LoadedSkivingJob) -> Result<DerivedGeometry, RunFailu
     let bodies = prepare_skiving(loaded)?.bodies;
     let (tool, motion) = (bodies.pair.tool(), bodies.pair.motion());
     let mut derived = DerivedGeometry::default();
+    let gear = gear_of_job(&loaded.job.gear).map_err(RunFailure::bad_input)?;
+    gear_sections(&mut derived, &loaded.job.gear, &gear).map_err(RunFailure::bad_input)?;
     derived.section("skiving");
     derived.quantity("centre_distance_mm", "centre distance", motion.centre_distance, "mm");
     let crossed = motion.crossed_axes_angle.to_degrees();

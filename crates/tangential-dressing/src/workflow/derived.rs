@@ -3,8 +3,7 @@
 use crate::job::LoadedTangentialJob;
 use crate::workflow::prepare_tangential;
 use foundation::geometry::Flank;
-use generating_grinding::workflow::derived::gear_sections;
-use run::{DerivedGeometry, RunFailure};
+use run::{DerivedGeometry, RunFailure, gear_sections};
 
 /// The same of a job of tangential dressing: gear, worm, dresser, how they stand, the shift.
 ///
@@ -15,7 +14,7 @@ pub fn of_tangential(loaded: &LoadedTangentialJob) -> Result<DerivedGeometry, Ru
     let model = &ready.model;
     let input = model.input();
     let mut derived = DerivedGeometry::default();
-    gear_sections(&mut derived, &loaded.job.gear, &input.gear);
+    gear_sections(&mut derived, &loaded.job.gear, &input.gear).map_err(RunFailure::bad_input)?;
     let worm = &model.pair.worm;
     derived.section("worm");
     derived.quantity("worm_pitch_diameter_mm", "pitch diameter", 2.0 * worm.pitch_radius(), "mm");

@@ -133,7 +133,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
     let shift = shift_of_job(job, &setup, &targets, &tolerance, &which)?;
     let cycle = Cycle::of_job(job)?;
     let dressing = DressingTask::of_job(job);
-    let measures = ToothMeasures::of(&job.gear, &setup.input.gear);
+    let measures = ToothMeasures::of(&job.gear, &setup.input.gear).map_err(RunFailure::bad_input)?;
     let traces = Sides::from_fn(|flank| TracePlaces::of_job(loaded, &setup.fields[flank]));
     let technology =
         Technology::of_grinding(&job.machine.clone().unwrap_or_default(), &setup, cycle.feed_per_revolution);

@@ -88,7 +88,7 @@ pub fn prepare_milling(loaded: &LoadedMillingJob) -> Result<PreparedMilling, Run
 fn teeth_of_job(job: &MillingJob) -> Result<Option<(Gear, ToothMeasures)>, RunFailure> {
     let Some(drawn) = &job.gear else { return Ok(None) };
     let gear = gear_of_job(&drawn.drawing).map_err(RunFailure::bad_input)?;
-    let measures = ToothMeasures::of(&drawn.drawing, &gear);
+    let measures = ToothMeasures::of(&drawn.drawing, &gear).map_err(RunFailure::bad_input)?;
     Ok(Some((gear, measures)))
 }
 

@@ -92,7 +92,7 @@ pub fn prepare_tangential(loaded: &LoadedTangentialJob) -> Result<TangentialPrep
         info: job.job.clone(),
         technology: technology(&machine, worm, &blank, feed)
             .with_dresser(0.5 * job.dresser.tip_diameter, model.pair.worm.data().normal_module),
-        measures: ToothMeasures::of(&job.gear, &model.input().gear),
+        measures: ToothMeasures::of(&job.gear, &model.input().gear).map_err(RunFailure::bad_input)?,
         model,
         blank,
         worm_tip_radius,
