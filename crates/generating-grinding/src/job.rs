@@ -50,7 +50,9 @@ pub use stroke::{FeedDirection, StrokeOfJob, StrokeShift, StrokeZone};
 pub use stroke_study::{AxisDeviations, Distribution, DresserArea, StrokeSection, StrokeStudy};
 pub use strokes::{DressedSection, StrokeArea, Strokes};
 pub use target::{Fit, Judged, JudgedTraces, Target, ToleranceMapSource, ToleranceTable};
-pub use technology::{CostRates, CycleRule, PartTimes, Technology, TechnologyLimits, WormLife};
+pub use technology::{
+    CostRates, CycleRule, DressingOfShop, DressingRotation, PartTimes, Technology, TechnologyLimits, WormLife,
+};
 pub use worm::{Tool, Worm};
 
 use job::tables::{Control, Gear, Grid, Hand, JobInfo, Language, Machine, OneOrSides, Output};

@@ -5,6 +5,7 @@ pub mod catalogue;
 pub mod job;
 pub mod page;
 mod process;
+pub mod stock_file;
 pub mod workflow;
 
 pub use process::GeneratingGrinding;

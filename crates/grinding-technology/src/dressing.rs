@@ -79,7 +79,7 @@ impl DressingTechnology {
         let speed_ratio = sign * PI * self.dresser_tip_diameter * self.dresser_speed
             / (TAU * bodies.worm_tip_radius * self.worm_speed);
         let worm_radius = bodies.pair.worm.pitch_radius();
-        let advance = (TAU * worm_radius).hypot(thread_lead(bodies)) * self.worm_speed / self.dresser_speed;
+        let advance = (TAU * worm_radius).hypot(bodies.thread_lead()) * self.worm_speed / self.dresser_speed;
         let flanks = &bodies.pair.flanks;
         let angle = 0.5 * (flanks.left.operating_alpha_n + flanks.right.operating_alpha_n);
         let curvature = angle.sin() * (2.0 / self.dresser_pitch_diameter + 1.0 / worm_radius);
@@ -88,8 +88,10 @@ impl DressingTechnology {
     }
 }
 
-/// Axial way of a thread per revolution of the worm, mm.
-pub(crate) fn thread_lead(bodies: &Bodies) -> f64 {
-    let worm = bodies.pair.worm.data();
-    PI * bodies.threads() * worm.normal_module / worm.helix_angle.sin().abs()
+impl Bodies {
+    /// Axial way of a thread per revolution of the worm, mm.
+    pub fn thread_lead(&self) -> f64 {
+        let worm = self.pair.worm.data();
+        PI * self.threads() * worm.normal_module / worm.helix_angle.sin().abs()
+    }
 }

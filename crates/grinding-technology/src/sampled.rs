@@ -30,12 +30,20 @@ pub(crate) struct Sampled {
     values: Vec<f64>,
 }
 
-/// Lengths of roll over the profile with so many intervals on each piece between breaks of the stock, mm.
+/// Pieces of the profile from which on they share the intervals of so many, as the rows of a table do.
+const PIECES: usize = 4;
+/// Fewest intervals of a piece.
+const FEWEST: usize = 4;
+
+/// Lengths of roll over the profile with so many intervals on each piece between breaks of the stock, mm; fewer where there are many pieces.
 pub(crate) fn rolls(field: &StockField, bodies: &Bodies, flank: Flank, intervals: usize) -> Vec<f64> {
     let [from, to] = bodies.flanks[flank].roll;
     let mut ends = vec![from];
     ends.extend(field.breaks(flank));
     ends.push(to);
+    let pieces = ends.len() - 1;
+    let shared = PIECES * intervals / pieces.max(PIECES);
+    let intervals = shared.max(FEWEST.min(intervals));
     let mut w: Vec<f64> =
         ends.windows(2).flat_map(|ends| equidistant([ends[0], ends[1]], intervals + 1)).collect();
     w.dedup();
@@ -64,7 +72,7 @@ impl Sampled {
         let half = 0.5 * bodies.face_width;
         let cells = if field.is_constant() { 1 } else { cells };
         let z = equidistant([-half, half], cells + 1);
-        let spaces = if field.is_alike() { 1 } else { field.spaces() };
+        let spaces = field.different_spaces();
         let own: Vec<_> = (0..spaces).map(|k| field.of_space(flank, k)).collect();
         let row = |&w: &f64| -> Vec<f64> {
             let places: Vec<_> = z.iter().map(|&z| field.of_place(flank, w, z)).collect();

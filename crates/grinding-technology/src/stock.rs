@@ -1,6 +1,7 @@
 //! What stands on the workpiece before the first stroke, over each flank of each space.
 
 use super::error::{in_range, positive};
+use super::stock_map::{Around, StockMap};
 use super::{Bodies, TechnologyError};
 use foundation::geometry::{Flank, InvoluteFlank, Sides};
 use foundation::numerics::{equidistant, extremes};
@@ -57,12 +58,22 @@ pub struct Stock {
     pub run_out: Option<RunOut>,
     /// Marks of the hob.
     pub hob: Option<HobMarks>,
+    /// Tables, added to the rest.
+    pub map: Sides<Option<StockMap>>,
 }
 
 impl Stock {
     /// The same amount everywhere.
     pub fn constant(allowance: Sides<f64>) -> Self {
-        Self { allowance, profile: Vec::new(), terms: Vec::new(), pitch: None, run_out: None, hob: None }
+        Self {
+            allowance,
+            profile: Vec::new(),
+            terms: Vec::new(),
+            pitch: None,
+            run_out: None,
+            hob: None,
+            map: Sides::both(None),
+        }
     }
 }
 
@@ -119,6 +130,11 @@ impl StockField {
             in_range("stock.hob.height_um", 1e3 * hob.height, hob.height >= 0.0, ">= 0 um")?;
             finite("stock.hob.origin", hob.origin)?;
         }
+        for (_, map) in stock.map.iter() {
+            let count = map.as_ref().map_or(1, StockMap::spaces);
+            let allowed = format!("1 for all alike, or {spaces}, each of the gear");
+            in_range("stock.map.space", count as f64, count == 1 || count == spaces, &allowed)?;
+        }
         let flanks = Sides::try_from_fn(|flank| {
             let engagement = &bodies.flanks[flank];
             let work = *engagement.work();
@@ -148,27 +164,40 @@ impl StockField {
 
     /// Whether it is the same everywhere on a flank.
     pub fn is_constant(&self) -> bool {
-        let Stock { profile, terms, pitch, run_out, hob, .. } = &self.stock;
-        profile.is_empty() && terms.is_empty() && pitch.is_none() && run_out.is_none() && hob.is_none()
+        let Stock { allowance: _, profile, terms, pitch, run_out, hob, map } = &self.stock;
+        let plain = profile.is_empty() && terms.is_empty() && hob.is_none();
+        plain && pitch.is_none() && run_out.is_none() && map.iter().all(|(_, map)| map.is_none())
     }
 
     /// Whether every space has the same.
     pub fn is_alike(&self) -> bool {
-        self.stock.pitch.is_none() && self.stock.run_out.is_none()
+        let alike = |map: &Option<StockMap>| map.as_ref().is_none_or(|map| map.spaces() == 1);
+        self.stock.pitch.is_none()
+            && self.stock.run_out.is_none()
+            && self.stock.map.iter().all(|(_, map)| alike(map))
+    }
+
+    /// Spaces with stock of their own: 1 where all are alike.
+    pub fn different_spaces(&self) -> usize {
+        if self.is_alike() { 1 } else { self.spaces }
     }
 
     /// Lengths of roll inside the profile where the slope of the stock jumps, rising, mm.
     pub(crate) fn breaks(&self, flank: Flank) -> Vec<f64> {
         let on = &self.flanks[flank];
         let inside = |w: &f64| *w > on.roll[0] && *w < on.roll[1];
-        on.profile.iter().map(|(w, _)| *w).filter(inside).collect()
+        let mapped = self.stock.map[flank].iter().flat_map(|map| map.rolls().iter().copied());
+        let mut breaks: Vec<f64> = on.profile.iter().map(|(w, _)| *w).chain(mapped).filter(inside).collect();
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup();
+        breaks
     }
 
     /// Least and largest stock of a flank at the stations, mm.
     pub fn extent(&self, bodies: &Bodies, flank: Flank) -> [f64; 2] {
         let half = 0.5 * bodies.face_width;
         let places = equidistant([-half, half], FACE_PLACES);
-        let spaces = if self.is_alike() { 1 } else { self.spaces };
+        let spaces = self.different_spaces();
         let own: Vec<_> = (0..spaces).map(|k| self.of_space(flank, k)).collect();
         let of_place = |(w, z): (f64, f64)| {
             let place = self.of_place(flank, w, z);
@@ -203,18 +232,20 @@ impl StockField {
             let normal = on.work.normal(w, z);
             [normal.x, normal.y]
         });
-        OfPlace { amount: sum, normal }
+        let around = self.stock.map[flank].as_ref().map(|map| map.around(w, z));
+        OfPlace { amount: sum, normal, around }
     }
 
     /// What is a space's own.
-    pub(crate) fn of_space(&self, flank: Flank, k: usize) -> OfSpace {
+    pub(crate) fn of_space(&self, flank: Flank, k: usize) -> OfSpace<'_> {
         let amount = self.stock.pitch.as_ref().map_or(0.0, |pitch| pitch[flank][k]);
         let moved = self.stock.run_out.map_or([0.0; 2], |run_out| {
             // The blank's way in the frame of the space.
             let (sin, cos) = (run_out.angle - TAU * k as f64 / self.spaces as f64).sin_cos();
             [run_out.eccentricity * cos, run_out.eccentricity * sin]
         });
-        OfSpace { amount, moved }
+        let map = self.stock.map[flank].as_ref().map(|map| map.of_space(k));
+        OfSpace { amount, moved, map }
     }
 }
 
@@ -223,19 +254,22 @@ impl StockField {
 pub(crate) struct OfPlace {
     amount: f64,
     normal: [f64; 2],
+    around: Option<Around>,
 }
 
 /// Stock of a space at every place, and how the blank is moved as it sees it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct OfSpace {
+pub(crate) struct OfSpace<'a> {
     amount: f64,
     moved: [f64; 2],
+    map: Option<&'a [f64]>,
 }
 
-impl OfSpace {
+impl OfSpace<'_> {
     pub fn on(self, place: OfPlace) -> f64 {
         let across = place.normal[0] * self.moved[0] + place.normal[1] * self.moved[1];
-        place.amount + self.amount + across
+        let mapped = self.map.zip(place.around).map_or(0.0, |(map, around)| around.of(map));
+        place.amount + self.amount + across + mapped
     }
 }
 

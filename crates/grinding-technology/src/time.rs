@@ -1,6 +1,5 @@
 //! How long strokes, infeeds and dressing take on given axes: moves from rest to rest in seven phases, as programs drive them.
 
-use super::dressing::thread_lead;
 use super::error::{in_range, positive};
 use super::{Bodies, Cycle, DressingTechnology, StrokeFigures, TechnologyError};
 use motion::SCurve;
@@ -226,7 +225,7 @@ impl DressingTechnology {
         self.check()?;
         axes.check()?;
         in_range("clearance", clearance, clearance >= 0.0, ">= 0 mm")?;
-        let lead = thread_lead(bodies);
+        let lead = bodies.thread_lead();
         let travel = self.worm_width + BEYOND_WIDTH * bodies.pair.worm.data().normal_module;
         let along = Along::new(lead * self.worm_speed, &[(axes.v, 1.0), (axes.b, 360.0 / lead)]);
         let ramp = along.ramp();

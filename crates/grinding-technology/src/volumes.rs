@@ -24,7 +24,7 @@ pub(crate) fn volumes(
     let half = 0.5 * bodies.face_width;
     let w = rolls(field, bodies, flank, along_profile);
     let z = equidistant([-half, half], along_face + 1);
-    let spaces = if field.is_alike() { 1 } else { field.spaces() };
+    let spaces = field.different_spaces();
     let own: Vec<_> = (0..spaces).map(|k| field.of_space(flank, k)).collect();
     let weighted: Vec<(f64, f64)> = w.iter().copied().zip(weights(&w)).collect();
     let row = |&(w, weight): &(f64, f64)| -> Vec<Vec<f64>> {

@@ -193,20 +193,32 @@ impl<const N: usize> Row<'_, N> {
         self.parsed(column, "a whole number from 0 to 65535", |tooth| *tooth <= 65_535)
     }
 
+    /// The cell of the column that the table may have; `None` where it has it not.
+    pub fn optional(&self) -> Option<&str> {
+        self.optional.as_ref().map(|(cell, _)| *cell)
+    }
+
+    /// A finding about that cell, or about the row.
+    pub fn wrong_optional(&self, problem: Problem, allowed: impl Into<String>) -> Diagnostic {
+        let (cell, place) = self.optional.clone().unwrap_or(("", self.span.clone()));
+        let (cell, name) = (shortened(cell), self.form.optional.unwrap_or_default());
+        Diagnostic::new(problem, format!("`{name}` cannot be {cell}"))
+            .field(name)
+            .value(cell)
+            .allowed(allowed.into())
+            .way_out("correct the value in this row")
+            .span(Some(place))
+    }
+
     /// Which reading of several, from 1; 1 where the table does not number them.
     ///
     /// # Errors
     /// `invalid-number`.
     pub fn reading(&self) -> Result<u32, Diagnostic> {
-        let (Some((cell, place)), Some(name)) = (&self.optional, self.form.optional) else { return Ok(1) };
+        let Some(cell) = self.optional() else { return Ok(1) };
         cell.parse().ok().filter(|reading| (1..=1000).contains(reading)).ok_or_else(|| {
-            let cell = shortened(cell);
-            Diagnostic::new(Problem::InvalidNumber, format!("`{name}` cannot be {cell}"))
-                .field(name)
-                .value(cell)
-                .allowed("a whole number from 1 to 1000")
+            self.wrong_optional(Problem::InvalidNumber, "a whole number from 1 to 1000")
                 .way_out("number the readings of a tooth from 1")
-                .span(Some(place.clone()))
         })
     }
 

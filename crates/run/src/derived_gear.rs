@@ -2,11 +2,11 @@
 //! class.
 
 use super::derived::DerivedGeometry;
+use super::drawing::{DrawingResult, ThicknessResult, ToleranceResult};
 use super::tooth_measures::ToothMeasures;
 use foundation::geometry::{Flank, Gear};
 use job::Diagnostic;
 use job::tables::Gear as JobGear;
-use metrology::inspection::{ToleranceGear, ToleranceQuantity, Tolerances};
 
 /// Base data and measures of the gear with their limits, tolerances of its class, as sections.
 ///
@@ -42,102 +42,94 @@ pub fn gear_sections(
         derived.quantity(keys[4], keys[5], gear.transverse_pressure_angle(flank).to_degrees(), "deg");
         derived.quantity(keys[6], keys[7], gear.normal_base_pitch(flank), "mm");
     }
-    thickness(derived, drawing, gear)?;
-    tolerances(derived, drawing, gear)
+    let drawn = ToothMeasures::of(drawing, gear)?.result(gear);
+    thickness(derived, &drawn);
+    if let Some(of) = &drawn.tolerances {
+        tolerances(derived, of);
+    }
+    Ok(())
 }
 
 /// Key and name of a quantity.
 type Named = (&'static str, &'static str);
 
-/// Tooth thickness by every measure: as made, and at the allowances of the drawing.
-fn thickness(derived: &mut DerivedGeometry, drawing: &JobGear, gear: &Gear) -> Result<(), Diagnostic> {
-    let measures = ToothMeasures::of(drawing, gear)?;
+/// A measure of the tooth thickness: as made, and between the allowances of the drawing.
+fn measure(derived: &mut DerivedGeometry, found: Option<&ThicknessResult>, names: [Named; 4]) {
+    let Some(found) = found else { return };
+    let [over, made, least, greatest] = names;
+    if let Some(teeth) = found.teeth {
+        derived.quantity(over.0, over.1, teeth, "");
+    }
+    if let Some(diameter) = found.diameter_mm {
+        derived.quantity(over.0, over.1, diameter, "mm");
+    }
+    derived.quantity(made.0, made.1, found.size_mm, "mm");
+    for (end, name) in found.limits_mm.into_iter().flatten().zip([least, greatest]) {
+        derived.quantity(name.0, name.1, end, "mm");
+    }
+}
+
+/// Tooth thickness by every measure.
+fn thickness(derived: &mut DerivedGeometry, drawing: &DrawingResult) {
     derived.section("tooth thickness");
-    let mut measure =
-        |names: [Named; 3], before: Option<(Named, f64, &'static str)>, of: &dyn Fn(&Gear) -> Option<f64>| {
-            let Some(made) = of(gear) else { return };
-            if let Some(((key, label), value, unit)) = before {
-                derived.quantity(key, label, value, unit);
-            }
-            let [made_as, least, greatest] = names;
-            derived.quantity(made_as.0, made_as.1, made, "mm");
-            for (end, name) in measures.between(of).into_iter().flatten().zip([least, greatest]) {
-                derived.quantity(name.0, name.1, end, "mm");
-            }
-        };
     measure(
+        derived,
+        drawing.normal_tooth_thickness.as_ref(),
         [
+            ("", ""),
             ("normal_tooth_thickness_mm", "normal tooth thickness s_n"),
             ("normal_tooth_thickness_least_mm", "s_n, least"),
             ("normal_tooth_thickness_greatest_mm", "s_n, greatest"),
         ],
-        None,
-        &ToothMeasures::normal_thickness,
     );
     measure(
-        [("span_mm", "span W_k"), ("span_least_mm", "W_k, least"), ("span_greatest_mm", "W_k, greatest")],
-        measures.span_teeth.map(|teeth| (("span_teeth", "teeth spanned k"), f64::from(teeth), "")),
-        &|gear| Some(measures.span(gear)?.length),
-    );
-    measure(
+        derived,
+        drawing.span.as_ref(),
         [
+            ("span_teeth", "teeth spanned k"),
+            ("span_mm", "span W_k"),
+            ("span_least_mm", "W_k, least"),
+            ("span_greatest_mm", "W_k, greatest"),
+        ],
+    );
+    measure(
+        derived,
+        drawing.over_balls.as_ref(),
+        [
+            ("ball_diameter_mm", "ball diameter D_M"),
             ("over_balls_mm", "size over balls M_dK"),
             ("over_balls_least_mm", "M_dK, least"),
             ("over_balls_greatest_mm", "M_dK, greatest"),
         ],
-        measures.ball.map(|ball| (("ball_diameter_mm", "ball diameter D_M"), ball, "mm")),
-        &|gear| Some(measures.over_balls(gear)?.size),
     );
     measure(
+        derived,
+        drawing.over_rolls.as_ref(),
         [
+            ("roll_diameter_mm", "roll diameter D_M"),
             ("over_rolls_mm", "size over rolls M_dR"),
             ("over_rolls_least_mm", "M_dR, least"),
             ("over_rolls_greatest_mm", "M_dR, greatest"),
         ],
-        measures.roll.map(|roll| (("roll_diameter_mm", "roll diameter D_M"), roll, "mm")),
-        &|gear| Some(measures.over_rolls(gear)?.size),
     );
-    Ok(())
 }
 
-/// Tolerances of ISO 1328-1:2013 for the class of the drawing, rounded as the standard states them.
-fn tolerances(derived: &mut DerivedGeometry, drawing: &JobGear, gear: &Gear) -> Result<(), Diagnostic> {
-    let Some(class) = drawing.tolerance_class else { return Ok(()) };
-    let of = ToleranceGear {
-        teeth: drawing.teeth.unsigned_abs(),
-        normal_module: drawing.normal_module,
-        reference_diameter: 2.0 * gear.pitch_radius(),
-        face_width: drawing.face_width,
-        helix_angle: drawing.helix_angle_deg.to_radians(),
-    };
-    let refused = |error: &metrology::inspection::InspectionError| {
-        Diagnostic::of(error).field("gear.tolerance_class").value(class.to_string())
-    };
-    let tolerances = Tolerances::new(&of).map_err(|e| refused(&e))?;
+/// Tolerances of the class.
+fn tolerances(derived: &mut DerivedGeometry, of: &ToleranceResult) {
     derived.section("tolerances of ISO 1328-1");
-    derived.quantity("class", "flank tolerance class", class, "");
-    for quantity in ToleranceQuantity::ALL.into_iter().filter(|quantity| !quantity.is_informative()) {
-        let (key, label) = tolerance_names(quantity);
-        let um = 1e3 * tolerances.rounded(quantity, class).map_err(|e| refused(&e))?;
+    derived.quantity("class", "flank tolerance class", of.class, "");
+    for (key, label, um) in [
+        ("f_pT_um", "single pitch f_pT", of.f_pT_um),
+        ("F_pT_um", "total cumulative pitch F_pT", of.F_pT_um),
+        ("f_HalphaT_um", "profile slope f_HalphaT", of.f_HalphaT_um),
+        ("f_falphaT_um", "profile form f_falphaT", of.f_falphaT_um),
+        ("F_alphaT_um", "total profile F_alphaT", of.F_alphaT_um),
+        ("f_HbetaT_um", "helix slope f_HbetaT", of.f_HbetaT_um),
+        ("f_fbetaT_um", "helix form f_fbetaT", of.f_fbetaT_um),
+        ("F_betaT_um", "total helix F_betaT", of.F_betaT_um),
+        ("F_rT_um", "run-out F_rT", of.F_rT_um),
+    ] {
         derived.quantity(key, label, um, "um");
-    }
-    Ok(())
-}
-
-/// Key and name of a tolerance.
-fn tolerance_names(quantity: ToleranceQuantity) -> Named {
-    match quantity {
-        ToleranceQuantity::SinglePitch => ("f_pT_um", "single pitch f_pT"),
-        ToleranceQuantity::TotalPitch => ("F_pT_um", "total cumulative pitch F_pT"),
-        ToleranceQuantity::ProfileSlope => ("f_HalphaT_um", "profile slope f_HalphaT"),
-        ToleranceQuantity::ProfileForm => ("f_falphaT_um", "profile form f_falphaT"),
-        ToleranceQuantity::ProfileTotal => ("F_alphaT_um", "total profile F_alphaT"),
-        ToleranceQuantity::HelixSlope => ("f_HbetaT_um", "helix slope f_HbetaT"),
-        ToleranceQuantity::HelixForm => ("f_fbetaT_um", "helix form f_fbetaT"),
-        ToleranceQuantity::HelixTotal => ("F_betaT_um", "total helix F_betaT"),
-        ToleranceQuantity::RunOut => ("F_rT_um", "run-out F_rT"),
-        ToleranceQuantity::NeighbouringPitch => ("f_uT_um", "difference of neighbouring pitches f_uT"),
-        ToleranceQuantity::SectorPitch => ("F_pzT_um", "pitch over an eighth F_pz/8T"),
     }
 }
 

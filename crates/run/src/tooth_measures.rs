@@ -1,5 +1,6 @@
 //! How the thickness of teeth is measured: the span and the balls of the drawing, else those that touch the middle of the flank.
 
+use super::drawing::{ToleranceResult, tolerances};
 use super::finding::geometry_finding;
 use super::gear::blank_of_job;
 use foundation::geometry::{Blank, Gear, GeometryError, OverBalls, OverRolls, Span};
@@ -21,6 +22,8 @@ pub struct ToothMeasures {
     pub roll: Option<f64>,
     /// The gears at the lower and upper allowance of the drawing's measure.
     pub limits: Option<[Gear; 2]>,
+    /// Tolerances of the drawing's class.
+    pub tolerances: Option<ToleranceResult>,
 }
 
 impl ToothMeasures {
@@ -28,7 +31,7 @@ impl ToothMeasures {
     ///
     /// # Errors
     /// A finding on `gear.measured_over` for a span, balls or rolls that this gear cannot be measured with; on `gear.allowances_um` for
-    /// allowances that make no gear.
+    /// allowances that make no gear; on `gear.tolerance_class` for a gear outside the standard.
     pub fn of(drawing: &JobGear, gear: &Gear) -> Result<Self, Diagnostic> {
         let blank = blank_of_job(drawing);
         let wanted = drawing.measured_over.unwrap_or_default();
@@ -63,6 +66,7 @@ impl ToothMeasures {
             ball: Some(ball.unwrap_or(BALL_FACTOR * gear.data().normal_module)).filter(touches),
             roll: wanted.roll_diameter,
             limits,
+            tolerances: tolerances(drawing, gear)?,
         })
     }
 

@@ -23,7 +23,8 @@ use crate::progress::Bars;
     flankwright inspect measured/ -o series\n  \
     flankwright inspect examples/inspection/measured.csv --job examples/inspection/measured.toml\n  \
     flankwright inspect --job examples/inspection/closed-loop.toml\n  \
-    flankwright inspect examples/skiving/readings.csv --job examples/skiving/measured-ring.toml\n\n\
+    flankwright inspect examples/skiving/readings.csv --job examples/skiving/measured-ring.toml\n  \
+    flankwright inspect examples/inspection/blank.csv --job examples/cycles/measured-blank.toml --blank\n\n\
     A gear: .mka or .mew (each finds the other beside it), .rexs, .rexsj, .rexsz, or .csv with the columns kind, tooth, flank, position, \
     abscissa, f_um (traces) or tooth, flank, w_mm, z_mm, f_um (fields). A folder: every measurement in it, with statistics, trends and \
     capability. With a job of generating grinding: what is systematic, which settings correct it, and the corrected job; without a file, \
@@ -43,6 +44,10 @@ pub struct InspectArguments {
     /// Class of ISO 1328-1:2013 that parts have to reach; its tolerances are the limits of sheets and series
     #[arg(long, value_name = "CLASS", value_parser = clap::value_parser!(i32).range(1..=11))]
     pub class: Option<i32>,
+    /// The measured gear is the blank before grinding: writes the stock that it has over the gear of the job, tooth by tooth, as stock.csv for
+    /// the key `stock.map`
+    #[arg(long, requires = "job", requires = "file", conflicts_with = "class")]
+    pub blank: bool,
     /// Helix traces of sheets with the top of the measuring machine upwards instead of the datum face downwards
     #[arg(long)]
     pub top_up: bool,
@@ -69,6 +74,7 @@ impl InspectArguments {
 pub fn run(arguments: &InspectArguments) -> Result<Exit, Failure> {
     let (file, asked) = (arguments.file.as_deref(), arguments.asked());
     match (file, &arguments.job) {
+        (Some(file), Some(job)) if arguments.blank => of_blank(&output::load_any_job(job)?, file, &asked),
         (Some(folder), None) if folder.is_dir() => measured_gear::series(folder, asked),
         (Some(file), None) => measured_gear::alone(file, &asked),
         (_, Some(job)) => for_job(&output::load_any_job(job)?, file, &asked),
@@ -88,6 +94,13 @@ fn for_job(job: &AnyJob, file: Option<&Path>, asked: &Asked<'_>) -> Result<Exit,
             nothing_stated(job, asked)?;
             measured_gear::simulated(loaded, asked)
         }
+    }
+}
+
+fn of_blank(job: &AnyJob, file: &Path, asked: &Asked<'_>) -> Result<Exit, Failure> {
+    match job.of::<Job>() {
+        Some(loaded) => measured_gear::blank(file, loaded, asked),
+        None => Err(other_process(job)),
     }
 }
 

@@ -9,9 +9,14 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Stock {
-    /// Over the finished flank, um; one value, or one for each flank.
+    /// Over the finished flank, um; one value, or one for each flank. Default 0 beside `map`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(schema_with = "allowance")]
-    pub allowance_um: OneOrSides<f64>,
+    pub allowance_um: Option<OneOrSides<f64>>,
+    /// A table that is added to it: columns flank, w_mm, z_mm, um and, for a table of each tooth, space (0 to teeth - 1). Bilinear between its
+    /// places, beyond its rim as on it. `flankwright inspect BLANK --job JOB` writes it of a measured blank (stock.csv).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub map: Option<String>,
     /// What is added to it by diameter, linear in the length of roll between the diameters, constant outside: protuberance and root step are
     /// negative.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -71,9 +76,18 @@ pub struct HobMarks {
     /// Axial feed of the hob per revolution of the workpiece, mm.
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 100, "x-way-out" = "give the feed in mm, e.g. 2.5"))]
     pub feed: f64,
-    /// Height of the marks above their bottom, um.
+    /// Height of the marks above their bottom, um; given by this, or by `tip_diameter` and `threads` of the hob.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 0, "maximum" = 1000, "x-way-out" = "give the height in um, e.g. 8"))]
-    pub height_um: f64,
+    pub height_um: Option<f64>,
+    /// Tip diameter of the hob, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000, "x-way-out" = "give the tip diameter in mm, e.g. 80"))]
+    pub tip_diameter: Option<f64>,
+    /// Threads of the hob.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = 1, "maximum" = 50, "x-way-out" = "give the number of threads, e.g. 2"))]
+    pub threads: Option<u32>,
     /// Where along the face width a mark has its bottom at the base circle, mm; default 0.
     #[serde(default)]
     #[schemars(extend("minimum" = -1000, "maximum" = 1000, "x-way-out" = "give the place in mm, or leave it out"))]

@@ -24,6 +24,9 @@ pub struct Technology {
     /// Times of a part beside grinding.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub times: Option<PartTimes>,
+    /// How the worm is dressed, for the figures of dressing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dressing: Option<DressingOfShop>,
     /// Diameters of the worm over its life.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub life: Option<WormLife>,
@@ -133,6 +136,32 @@ pub struct PartTimes {
     #[serde(default)]
     #[schemars(extend("minimum" = 0, "maximum" = 10_000, "x-way-out" = "give the time in s"))]
     pub dressing_aux_s: f64,
+}
+
+/// The last dressing stroke; its speeds are `machine.dressing_worm_speed_rpm` and `machine.dresser_speed_rpm`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DressingOfShop {
+    /// Taken from the worm's flank by the last dressing stroke, normal, um.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000, "x-way-out" = "give the depth in um, e.g. 10"))]
+    pub depth_um: f64,
+    /// Whether the dresser runs with the worm at the contact or against it; default "same".
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rotation: Option<DressingRotation>,
+    /// Overlap that the shop asks for: contact length over the way of the thread per revolution of the dresser; a smaller one is a warning.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000, "x-way-out" = "give the overlap, e.g. 2"))]
+    pub least_overlap: Option<f64>,
+}
+
+/// How the dresser runs at the contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum DressingRotation {
+    /// With the worm.
+    Same,
+    /// Against it.
+    Opposite,
 }
 
 /// A new worm has `worm.tip_diameter`; each dressing takes a little of it.

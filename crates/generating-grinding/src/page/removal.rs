@@ -1,12 +1,14 @@
 //! Stock, strokes, load of the worm, time and cost.
 
 use crate::workflow::removal::{
-    CycleResult, CyclesResult, FlankRemovalResult, PartTimeResult, RemovalResult, StrokeResult,
+    CycleResult, CyclesResult, DressingFiguresResult, FlankRemovalResult, PartTimeResult, RateMapResult,
+    RemovalResult, StrokeResult, ZoneLoadResult,
 };
-use foundation::geometry::Sides;
+use foundation::geometry::{Flank, Sides};
 use report::cells::NONE;
 use report::charts::{
-    ChartError, LineChart, Panel, Series, YScale, format_fixed, format_significant, line_chart,
+    ChartError, ContourMap, LineChart, MapFrame, NamedTopography, Panel, Series, Topography, YScale,
+    contour_map_in, format_fixed, format_significant, line_chart,
 };
 use report::{Block, Column, Figure, Quantity, Table};
 
@@ -24,7 +26,13 @@ pub(super) fn removal(result: &RemovalResult) -> Result<Vec<Block>, ChartError> 
         line_chart(&rates(&result.strokes))?,
         "Each stroke from its first contact on; ways between strokes are left out.",
     )));
+    for (k, stroke) in result.strokes.iter().enumerate() {
+        if let Some(map) = &stroke.rate_map {
+            blocks.push(Block::Figure(rate_figure(&named(k, stroke), k, map)?));
+        }
+    }
     if let Some(load) = &result.worm_load {
+        blocks.push(Block::Table(zones(&load.zones)));
         let caption = format!(
             "What each millimetre of the worm's width has removed, the largest over the profile; parts between two dressings: {}.",
             load.parts_per_dressing
@@ -57,7 +65,11 @@ pub(super) fn removal(result: &RemovalResult) -> Result<Vec<Block>, ChartError> 
     if let Some(time) = &result.part_time {
         blocks.push(Block::Table(time_table(time)));
     }
-    blocks.push(Block::Tables(vec![Table::of_quantities("Worm, time and cost", &quantities(result))]));
+    let mut tables = vec![Table::of_quantities("Worm, time and cost", &quantities(result))];
+    tables.extend(
+        result.dressing.map(|dressing| Table::of_quantities("Dressing", &dressing_quantities(&dressing))),
+    );
+    blocks.push(Block::Tables(tables));
     if !result.indicators.is_empty() {
         blocks.push(Block::Table(indicators(result)));
     }
@@ -289,6 +301,81 @@ fn quantities(result: &RemovalResult) -> Vec<Quantity> {
         found.push(number("Cost per part", "", cost.total, ""));
     }
     found
+}
+
+/// The last dressing stroke.
+fn dressing_quantities(dressing: &DressingFiguresResult) -> Vec<Quantity> {
+    let number = Quantity::number;
+    let mut found = vec![
+        Quantity::count("Dressing strokes of a flank", "", dressing.strokes as i64),
+        Quantity::count("Flanks dressed at a time", "", dressing.flanks_at_a_time as i64),
+        number("Depth of the last dressing stroke, normal", "", dressing.depth_um, "µm"),
+        number("Speed of the worm", "", dressing.worm_speed_rpm, "1/min"),
+        number("Speed of the dresser", "", dressing.dresser_speed_rpm, "1/min"),
+        number("Speed ratio, > 0 in the same sense", "q_d", dressing.speed_ratio, ""),
+        number("Traverse per revolution of the worm", "", dressing.traverse_per_worm_revolution_mm, "mm"),
+        number("Thread per revolution of the dresser", "", dressing.thread_per_dresser_revolution_mm, "mm"),
+        number("Contact length along the thread", "", dressing.contact_length_mm, "mm"),
+        number("Overlap", "U_d", dressing.overlap, ""),
+    ];
+    if let Some(parts) = dressing.parts_per_dresser {
+        found.push(Quantity::count("Parts per dresser", "", parts as i64));
+    }
+    found
+}
+
+/// Areas of the worm, and how wide they are in balance.
+fn zones(zones: &[ZoneLoadResult]) -> Table {
+    let row = |zone: &ZoneLoadResult| {
+        let [from, to] = zone.used_mm;
+        vec![
+            zone.zone.clone(),
+            format_significant(zone.per_part_mm3, 4),
+            format_significant(zone.allowed_mm3_per_mm, 4),
+            format_fixed(from, 1),
+            format_fixed(to, 1),
+            format_fixed(zone.balanced_width_mm, 1),
+        ]
+    };
+    Table {
+        caption: "Areas of the worm".to_owned(),
+        columns: vec![
+            Column::name("Area of the worm"),
+            Column::number("Removed for a part", "mm³"),
+            Column::number("Allowed V'_w", "mm³/mm"),
+            Column::number("Used from", "mm"),
+            Column::number("Used to", "mm"),
+            Column::number("Width in balance", "mm"),
+        ],
+        rows: zones.iter().map(row).collect(),
+        note: "Used: by the strokes of the first part. In balance all areas last equally long within the width of the worm."
+            .to_owned(),
+    }
+}
+
+/// Q'_w over flank and feed.
+fn rate_figure(name: &str, k: usize, map: &RateMapResult) -> Result<Figure, ChartError> {
+    let panel = |flank: Flank| {
+        let values = map.specific_rate_mm3_per_mm_s[flank].clone();
+        let topography = Topography::new(map.diameter_mm[flank].clone(), map.feed_mm.clone(), values)?;
+        Ok(NamedTopography::new(flank.name(), topography))
+    };
+    let chart = ContourMap {
+        title: format!("Specific removal rate of stroke {name}"),
+        quantity: "Q'_w [mm³/(mm s)]".to_owned(),
+        panels: Flank::BOTH.into_iter().map(panel).collect::<Result<_, ChartError>>()?,
+        scale: None,
+    };
+    let frame = MapFrame {
+        titles: ["Feed z_V2 [mm]".to_owned(), "Diameter [mm]".to_owned()],
+        marks: Vec::new(),
+        grounds_only: false,
+    };
+    Ok(Figure::new(
+        &format!("specific-removal-rate-{}", k + 1),
+        contour_map_in(&chart, &frame)?,
+        "Per millimetre of the worm's active profile, the largest over the tooth spaces.",
+    ))
 }
 
 fn indicators(result: &RemovalResult) -> Table {

@@ -11,7 +11,7 @@ use crate::workflow::control::result::ControlResult;
 use crate::workflow::programs::result::ProgramsResult;
 use foundation::geometry::Sides;
 use generating::{Candidate, LeastDeviation};
-use run::{CharacteristicsUm, FlankMaps};
+use run::{CharacteristicsUm, DrawingResult, FlankMaps};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -236,6 +236,8 @@ pub struct JobResult {
     /// What gearbox and servo leave; absent unless the job describes its control.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub control: Option<ControlResult>,
+    /// Tooth thickness and class of the drawing, which nothing here judges.
+    pub drawing: DrawingResult,
     /// Stock, removal, load of the worm, time and cost; absent without stock.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub removal: Option<RemovalResult>,

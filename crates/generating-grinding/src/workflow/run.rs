@@ -261,6 +261,7 @@ fn finish(
             owe_line_dressing(&mut verdict);
         }
     }
+    prepared.measures.leave_class(&mut verdict);
     if programs.is_some() {
         warnings.extend(Release::of(&verdict, prepared.output.programs_of_missed).remark(&verdict));
     }
@@ -276,6 +277,7 @@ fn finish(
         least_deviation,
         gear_root,
         control,
+        drawing: prepared.measures.result(&prepared.setup.input.gear),
         removal: removal.result,
         programs: programs.as_ref().map(|programs| programs.result.clone()),
         ideal_error_by_round_um: plan.as_ref().map_or(Sides { left: Vec::new(), right: Vec::new() }, |p| {

@@ -6,6 +6,7 @@ mod asked;
 mod assemble;
 mod averaged;
 mod bands;
+pub mod blank;
 mod characteristics;
 mod closed_loop;
 pub mod convert;
@@ -30,6 +31,7 @@ mod twist;
 pub mod write;
 
 pub use bands::Bands;
+pub use blank::{BlankStock, BlankStockResult, blank_of_file, blank_summary, write_blank};
 pub(crate) use characteristics::characteristic_in_words;
 pub use characteristics::{PartCharacteristic, PartIdentity, characteristic_key, part_characteristics};
 pub use closed_loop::{

@@ -89,7 +89,7 @@ pub fn inspect_gear(
     })
 }
 
-/// Judges a measured file against a job, and by a class of ISO 1328-1 where one is asked for.
+/// Judges a measured file against a job, and by a class of ISO 1328-1 where one is asked for, here or by `gear.tolerance_class`.
 ///
 /// # Errors
 /// As [`inspect_gear`]; a measurement of another gear, and what is wrong with the job.
@@ -101,6 +101,7 @@ pub fn inspect_for_job(
     progress: &dyn Progress,
 ) -> Result<GearInspection, JobFailure> {
     let begun = Instant::now();
+    let class = class.or(loaded.job.gear.tolerance_class);
     judgement::check_class(class)?;
     let asked = Asked::of_job(loaded)?;
     let (round, files) = of_file(loaded, &asked, (path, statements), progress)?;
@@ -118,6 +119,7 @@ pub fn inspect_simulated(
     progress: &dyn Progress,
 ) -> Result<GearInspection, RunFailure> {
     let begun = Instant::now();
+    let class = class.or(loaded.job.gear.tolerance_class);
     judgement::check_class(class)?;
     let asked = Asked::of_job(loaded)?;
     let rounds = simulated(loaded, &asked, progress)?;

@@ -4,6 +4,7 @@ use super::orientation_result::OrientationResult;
 use super::program_result::ProgramResult;
 use contact::ContactPattern;
 use foundation::geometry::CutterShape;
+use run::DrawingResult;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -25,6 +26,9 @@ pub struct MillingResult {
     pub tolerance_um: f64,
     /// Warnings.
     pub warnings: Vec<Remark>,
+    /// Tooth thickness and class of the drawing, which nothing here judges; absent of bevel gears and blades.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub drawing: Option<DrawingResult>,
     /// Spaces of the workpiece, and how many of them are milled.
     pub spaces: [usize; 2],
     /// The cutter of the flanks.

@@ -100,6 +100,9 @@ fn planned(
     let lacking = mate.as_ref().and_then(|mate| mate.remark.as_ref());
     let found = Judged { bodies, flanks: &results, root: &root, part: &part, mate: lacking, tolerance_um };
     let mut verdict = verdict(&found);
+    if let Some((_, measures)) = &prepared.teeth {
+        measures.leave_class(&mut verdict);
+    }
     texts.judge(&mut verdict);
     let mut warnings = prepared.warnings.clone();
     warnings.extend(lacking.cloned());
@@ -115,6 +118,7 @@ fn planned(
         verdict,
         tolerance_um,
         warnings,
+        drawing: prepared.teeth.as_ref().map(|(gear, measures)| measures.result(gear)),
         spaces: [bodies.spaces, bodies.milled],
         cutter: CutterResult::new(bodies.options.cutter.shape(), bodies.options.cutter.cutting_length()),
         operations: plan.operations.iter().map(operation).collect(),

@@ -3,6 +3,7 @@
 use super::programs::ToolProgramResult;
 use super::resharpening::{BrokenEdge, WithoutBroken};
 use crate::wear::WearTrend;
+use run::DrawingResult;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -24,6 +25,8 @@ pub struct SkivingResult {
     pub tolerance_um: f64,
     /// Warnings.
     pub warnings: Vec<Remark>,
+    /// Tooth thickness and class of the workpiece's drawing, which nothing here judges.
+    pub drawing: DrawingResult,
     /// How tool and workpiece stand while they skive.
     pub settings: SkivingSettings,
     /// The workpiece to come, by flank.

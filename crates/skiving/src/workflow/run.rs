@@ -204,6 +204,7 @@ fn carried_out(
         verdict,
         tolerance_um: prepared.tolerance_um,
         warnings,
+        drawing: bodies.drawing.clone(),
         settings: settings(bodies),
         flanks,
         tracks: track_results(bodies),

@@ -44,6 +44,7 @@ pub(super) fn verdict(found: &Judged<'_>) -> Verdict {
     }
     verdict.leave("tip edges, root fillets and chamfers of the tool", "the tracks lie on the flanks' edges");
     verdict.leave("feed marks and the flank along the tooth", "the profile is judged for a feed of nothing");
+    found.prepared.bodies.measures.leave_class(&mut verdict);
     if found.prepared.mounting.is_none() {
         verdict.leave("programs", "the job names no machine");
     }

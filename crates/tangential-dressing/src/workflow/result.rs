@@ -5,6 +5,7 @@ use crate::job::TangentialSettings;
 use generating_grinding::workflow::control::result::ControlResult;
 use generating_grinding::workflow::programs::result::ProgramsResult;
 use generating_grinding::workflow::result::FlankResult;
+use run::DrawingResult;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -32,6 +33,8 @@ pub struct TangentialResult {
     pub flanks: BTreeMap<&'static str, TangentialFlankResult>,
     /// The passes in their order.
     pub passes: Vec<PassResult>,
+    /// Tooth thickness and class of the drawing, which nothing here judges.
+    pub drawing: DrawingResult,
     /// What gearbox and servo leave; absent unless the job describes its control.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub control: Option<ControlResult>,

@@ -154,6 +154,7 @@ fn finish(
     if let Some(made) = made {
         judge_clearance(&mut verdict, made.clearance.as_ref());
     }
+    ready.measures.leave_class(&mut verdict);
     if programs.is_some() {
         warnings.extend(Release::of(&verdict, ready.output.programs_of_missed).remark(&verdict));
     }
@@ -167,6 +168,7 @@ fn finish(
         settings: settings_result(&ready, &passes, lengths),
         flanks,
         passes: passes.iter().filter_map(|p| p.plan.as_ref().map(PassResult::from)).collect(),
+        drawing: ready.measures.result(&ready.model.input().gear),
         control,
         programs: programs.as_ref().map(|programs| programs.result.clone()),
         sensitivities,

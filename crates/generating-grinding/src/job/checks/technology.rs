@@ -6,6 +6,7 @@ use job::{Diagnostic, Problem, shown_number};
 
 pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
     pitches(job, findings);
+    blank(job, findings);
     let Some(technology) = &job.technology else { return };
     let needs = |field: &str, text: &'static str, allowed: &'static str, way_out: &'static str| {
         Diagnostic::new(Problem::InvalidJob, text)
@@ -95,6 +96,32 @@ fn pitches(job: &Job, findings: &mut Vec<Diagnostic>) {
                     .way_out("give a value for every space, 0 where there is none"),
             );
         }
+    }
+}
+
+/// An amount over the flank, and how high the marks of the hob are.
+fn blank(job: &Job, findings: &mut Vec<Diagnostic>) {
+    let Some(stock) = &job.stock else { return };
+    if stock.allowance_um.is_none() && stock.map.is_none() {
+        findings.push(
+            Diagnostic::new(Problem::MissingKey, "`stock` does not say how much stands on the flanks")
+                .field("stock.allowance_um")
+                .allowed("allowance_um, or map = \"FILE\"")
+                .way_out("give the stock in um, e.g. allowance_um = 100"),
+        );
+    }
+    let Some(hob) = &stock.hob else { return };
+    let (height, body) = (hob.height_um.is_some(), hob.tip_diameter.is_some() && hob.threads.is_some());
+    let part = hob.tip_diameter.is_some() != hob.threads.is_some();
+    if height == body || part {
+        let said = if height { "a height beside a hob" } else { "not enough" };
+        findings.push(
+            Diagnostic::new(Problem::InvalidJob, "the height of the hob's marks is given by one of two ways")
+                .field("stock.hob")
+                .value(said)
+                .allowed("height_um, or both tip_diameter and threads")
+                .way_out("give height_um alone, or tip_diameter and threads of the hob"),
+        );
     }
 }
 

@@ -10,6 +10,7 @@ mod planning;
 mod removal;
 mod settings;
 mod shift;
+mod stock;
 mod strokes;
 mod targets;
 mod tools;
@@ -20,7 +21,9 @@ pub use dressing::{DressingTask, PointDresser};
 pub use judged::TracePlaces;
 use judged::tolerance_over_flank;
 pub use planning::{PlanningRules, axis_limits};
-pub use removal::{CycleLimits, RemovalTask, ShopLimit, SpeedLimits, StrokesWanted, WantedStroke};
+pub use removal::{
+    CycleLimits, DressingWanted, RemovalTask, ShopLimit, SpeedLimits, StrokesWanted, WantedStroke,
+};
 pub use settings::GivenSettings;
 pub use targets::{tolerance_of_job, wanted_flanks};
 
@@ -137,7 +140,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
     let traces = Sides::from_fn(|flank| TracePlaces::of_job(loaded, &setup.fields[flank]));
     let technology =
         Technology::of_grinding(&job.machine.clone().unwrap_or_default(), &setup, cycle.feed_per_revolution);
-    let removal = RemovalTask::of_job(job, &setup, (&cycle, &technology))?;
+    let removal = RemovalTask::of_job(loaded, &setup, (&cycle, &technology))?;
     Ok(Prepared {
         info: job.job.clone(),
         technology: match &setup.input.dresser {

@@ -1,11 +1,14 @@
 //! `[stock]` and `[technology]` of a job: stock on the flanks, strokes, limits, times and rates, typed and in mm and s.
 
 use super::Cycle;
-use crate::job::{CycleRule, FeedDirection, Job, StrokeOfJob, StrokeZone, TechnologyLimits};
+use super::stock::{StockOnGear, stock_of_job};
+use crate::job::{
+    CycleRule, DressingRotation, FeedDirection, Job, LoadedJob, StrokeOfJob, StrokeZone, TechnologyLimits,
+};
 use crate::workflow::programs::Technology;
-use foundation::geometry::{Flank, Sides};
+use foundation::geometry::Sides;
 use generating::GrindingSetup;
-use grinding_technology::{Direction, HobMarks, PartTimes, Rates, RunOut, Stock, StockTerm};
+use grinding_technology::{Direction, PartTimes, Rates, Rotation, Stock};
 use job::{Diagnostic, Problem, shown_number};
 use run::RunFailure;
 use std::f64::consts::TAU;
@@ -107,11 +110,26 @@ pub struct SpeedLimits {
     pub work: Option<f64>,
 }
 
+/// The last dressing stroke. mm.
+#[derive(Clone, Copy, Debug)]
+pub struct DressingWanted {
+    /// Taken from the flank.
+    pub depth: f64,
+    /// At the contact.
+    pub rotation: Rotation,
+    /// Overlap that the shop asks for.
+    pub least_overlap: Option<f64>,
+}
+
 /// What a job asks beside the flank.
 #[derive(Clone, Debug)]
 pub struct RemovalTask {
     /// On the flanks.
     pub stock: Stock,
+    /// Tooth spaces that the table of the stock does not have, on the flank that lacks most.
+    pub spaces_left_out: usize,
+    /// How the worm is dressed; `None` where the job does not say.
+    pub dressing: Option<DressingWanted>,
     /// Strokes of a part.
     pub strokes: StrokesWanted,
     /// What bounds them where a rule chooses.
@@ -144,46 +162,16 @@ impl RemovalTask {
     /// Of a job; `None` without stock.
     ///
     /// # Errors
-    /// A finding on `stock.profile` for a diameter below a base circle.
+    /// A finding on `stock` for diameters below a base circle, tables that cannot be read, a hob that makes no gear; on speeds beyond
+    /// their limits.
     pub(super) fn of_job(
-        job: &Job,
+        loaded: &LoadedJob,
         setup: &GrindingSetup,
         (cycle, machine): (&Cycle, &Technology),
     ) -> Result<Option<Self>, RunFailure> {
+        let job = &loaded.job;
         let Some(given) = job.stock.as_ref() else { return Ok(None) };
-        let base = Flank::BOTH.map(|flank| 2.0 * setup.pair.work.flank(flank).base_radius);
-        let least = base[0].max(base[1]);
-        if let Some((k, place)) = given.profile.iter().enumerate().find(|(_, place)| place.diameter < least) {
-            let finding = Diagnostic::new(Problem::InvalidNumber, "a diameter below the base circle")
-                .field(format!("stock.profile[{k}].diameter"))
-                .value(shown_number(place.diameter))
-                .allowed(format!(">= {least:.4} mm, the base circle"))
-                .way_out("give diameters of the involute profile");
-            return Err(RunFailure::bad_input(finding));
-        }
-        let allowance: Sides<f64> = given.allowance_um.sides().map(|_, um| UM * um);
-        let stock = Stock {
-            profile: given.profile.iter().map(|place| (place.diameter, UM * place.um)).collect(),
-            run_out: given.run_out.map(|run_out| RunOut {
-                eccentricity: UM * run_out.eccentricity_um,
-                angle: run_out.angle_deg.to_radians(),
-            }),
-            terms: given
-                .terms
-                .iter()
-                .map(|term| StockTerm { i: term.i, j: term.j, amount: UM * term.um, flank: term.flank })
-                .collect(),
-            pitch: given.pitch_um.as_ref().map(|pitch| {
-                let mm = |list: &[f64]| list.iter().map(|um| UM * um).collect();
-                Sides { left: mm(&pitch.left), right: mm(&pitch.right) }
-            }),
-            hob: given.hob.map(|hob| HobMarks {
-                feed: hob.feed,
-                height: UM * hob.height_um,
-                origin: hob.origin,
-            }),
-            ..Stock::constant(allowance)
-        };
+        let StockOnGear { stock, spaces_left_out } = stock_of_job(loaded, given, setup)?;
         let technology = job.technology.clone().unwrap_or_default();
         let limits = technology.limits;
         let step_per_part = technology.step_per_part.unwrap_or(0.0);
@@ -200,6 +188,15 @@ impl RemovalTask {
         speeds.check(job, (machine, tip_radius), &strokes)?;
         Ok(Some(Self {
             stock,
+            spaces_left_out,
+            dressing: technology.dressing.map(|given| DressingWanted {
+                depth: UM * given.depth_um,
+                rotation: match given.rotation {
+                    Some(DressingRotation::Opposite) => Rotation::Opposite,
+                    Some(DressingRotation::Same) | None => Rotation::Same,
+                },
+                least_overlap: given.least_overlap,
+            }),
             strokes,
             cycle_limits: CycleLimits::of_job(&limits),
             feed_mark: limits.feed_mark_um.map(|um| UM * um),

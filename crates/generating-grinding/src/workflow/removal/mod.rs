@@ -2,6 +2,7 @@
 //! (`docs/mathematics/grinding-technology.md`). The flank does not depend on it.
 
 mod cycle;
+mod dressing;
 mod errors;
 mod offers;
 mod remarks;
@@ -12,8 +13,9 @@ mod worm;
 
 pub use cycle::RunCycle;
 pub use result::{
-    CostResult, CycleResult, CyclesResult, FlankRemovalResult, IndicatorResult, LimitShare, PartTimeResult,
-    RemovalResult, StockResult, StrokeResult, WormLifeResult, WormLoadResult,
+    CostResult, CycleResult, CyclesResult, DressingFiguresResult, FlankRemovalResult, IndicatorResult,
+    LimitShare, PartTimeResult, RateMapResult, RemovalResult, StockResult, StrokeResult, WormLifeResult,
+    WormLoadResult, ZoneLoadResult,
 };
 
 use super::execution::Execution;
@@ -21,6 +23,7 @@ use super::partition::Partition;
 use super::prepare::{Prepared, RemovalTask};
 use super::programs::result::ProgramsResult;
 use cycle::beyond;
+use dressing::dressing_figures;
 use errors::refused;
 use grinding_technology::TechnologyError;
 use remarks::{indicators, remarks};
@@ -121,6 +124,7 @@ fn worked_out(
         },
         strokes,
         cycles: of_run.offers.as_ref().map(CyclesResult::of),
+        dressing: dressing_figures(&cycle.bodies, (prepared, task), parts_per_dressing)?,
         worm_load: load,
         worm_life: life,
         part_time,

@@ -1,20 +1,17 @@
 //! Cycles within the limits of a job: by the rule of thumb, the fastest, and how the time goes with the load.
 
+use super::dressing::dressing_of;
 use crate::workflow::prepare::{Prepared, RemovalTask};
 use foundation::geometry::Flank;
 use grinding_technology::{
-    Axes, Axis, Bodies, DressingTechnology, Optimum, OptimumTask, Rotation, StockField, TechnologyError,
-    ZoneLimits,
+    Axes, Axis, Bodies, Optimum, OptimumTask, StockField, TechnologyError, ZoneLimits,
 };
 use machine::Role;
-use std::f64::consts::TAU;
 
 /// An axis without a limit, mm or deg, s.
 const FREE: f64 = 1e9;
 /// A worm whose load the job does not bound: parts without end, mm^3/mm.
 const NO_WEAR: f64 = 1e12;
-/// Depth of a dressing stroke where the job names none, mm: no time depends on it.
-const DRESSING_DEPTH: f64 = 0.03;
 
 /// What the limits allow.
 #[derive(Clone, Debug)]
@@ -44,7 +41,8 @@ impl CycleOffers {
         let clearance = prepared.technology.clearance;
         let solved = || {
             let wear = task.loads.finishing.zip(task.zone_width);
-            let dressing = match (wear, dressing_of(prepared, task)) {
+            let over = |width: f64| dressing_of(prepared, task, width);
+            let dressing = match (wear, task.zone_width.and_then(over)) {
                 (Some(_), Some(dressing)) => dressing.time(bodies, &axes, clearance)?.total(),
                 _ => 0.0,
             };
@@ -114,24 +112,4 @@ fn free() -> Axis {
 
 fn free_axes() -> Axes {
     Axes { x: free(), z: free(), v: free(), b: free(), c: free() }
-}
-
-/// How the worm is dressed; `None` for a worm that is not dressed by a disc.
-fn dressing_of(prepared: &Prepared, task: &RemovalTask) -> Option<DressingTechnology> {
-    let technology = &prepared.technology;
-    let dresser = prepared.setup.input.dresser.as_ref()?;
-    let stock = &technology.dressing_stock;
-    // One pass dresses one thread.
-    let passes = (stock.len() + 1) * prepared.setup.pair.worm.data().teeth.unsigned_abs() as usize;
-    Some(DressingTechnology {
-        worm_speed: technology.dressing_speed / TAU,
-        dresser_speed: technology.dresser_speed / TAU,
-        dresser_tip_diameter: dresser.tip_diameter,
-        dresser_pitch_diameter: dresser.pitch_diameter.unwrap_or(dresser.tip_diameter),
-        rotation: Rotation::Same,
-        depth: stock.last().copied().unwrap_or(DRESSING_DEPTH),
-        passes,
-        one_flank: !prepared.dressing.two_flanks,
-        worm_width: task.zone_width?,
-    })
 }

@@ -1,6 +1,6 @@
 //! Figures over the limits of the shop, and what to know of stock, strokes, width and time.
 
-use super::result::{IndicatorResult, PartTimeResult, RemovalResult, WormLoadResult};
+use super::result::{DressingFiguresResult, IndicatorResult, PartTimeResult, RemovalResult, WormLoadResult};
 use super::strokes::largest;
 use super::time::of_one_control;
 use super::{RPM, UM};
@@ -100,10 +100,36 @@ pub(super) fn remarks(
             way_out: "spread the stock over more strokes, lower the feed, or dress sooner".into(),
         });
     }
+    remarks.extend(result.dressing.as_ref().and_then(|dressing| low_overlap(dressing, task)));
+    remarks.extend((task.spaces_left_out > 0).then(|| Remark {
+        code: "stock-of-some-spaces",
+        text: format!(
+            "the table of the stock leaves out {} tooth spaces: they get the mean of the others",
+            task.spaces_left_out
+        ),
+        way_out: "measure every tooth, or keep some stock more than the measured teeth need".into(),
+    }));
     remarks.extend(short_approach(cycle, programs));
     remarks.extend(narrow_worm(cycle, task));
     remarks.extend(result.part_time.as_ref().and_then(other_time));
     remarks
+}
+
+/// An overlap below that of the shop.
+fn low_overlap(dressing: &DressingFiguresResult, task: &RemovalTask) -> Option<Remark> {
+    let least = task.dressing?.least_overlap.filter(|least| dressing.overlap < *least)?;
+    Some(Remark {
+        code: "dressing-overlap-low",
+        text: format!(
+            "the overlap of dressing is {:.3}, the shop asks for {}",
+            dressing.overlap,
+            shown_number(least)
+        ),
+        way_out: format!(
+            "dress slower (machine.dressing_worm_speed_rpm = {:.1}) or turn the dresser faster (machine.dresser_speed_rpm)",
+            (10.0 * dressing.worm_speed_rpm * dressing.overlap / least).floor() / 10.0
+        ),
+    })
 }
 
 /// A worm that comes in when it should grind already plunges into the end of the teeth.

@@ -16,6 +16,9 @@ pub struct RemovalResult {
     /// Cycles within the limits; absent without `technology.limits.Qw_roughing` and `Qw_finishing`, and where none keeps them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cycles: Option<CyclesResult>,
+    /// The last dressing stroke; absent without `technology.dressing`, and for a worm that is not dressed by a disc in line contact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dressing: Option<DressingFiguresResult>,
     /// The worm's load; absent without `technology.limits.Vw_finishing`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub worm_load: Option<WormLoadResult>,
@@ -175,6 +178,63 @@ pub struct StrokeResult {
     pub rate_mm3_per_s: Vec<f64>,
     /// Each flank.
     pub flanks: Sides<FlankRemovalResult>,
+    /// Q'_w over flank and feed; absent where the stroke takes nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rate_map: Option<RateMapResult>,
+}
+
+/// Q'_w over flank and feed, the largest over the tooth spaces.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct RateMapResult {
+    /// Feeds z_V2, rising.
+    pub feed_mm: Vec<f64>,
+    /// Diameters of the places along the profile, rising.
+    pub diameter_mm: Sides<Vec<f64>>,
+    /// Q'_w: for each diameter its values over the feed.
+    pub specific_rate_mm3_per_mm_s: Sides<Vec<Vec<f64>>>,
+}
+
+/// How the worm is dressed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct DressingFiguresResult {
+    /// Strokes of a flank.
+    pub strokes: usize,
+    /// 1 or 2.
+    pub flanks_at_a_time: usize,
+    /// Taken from the flank by the last stroke, normal.
+    pub depth_um: f64,
+    /// Worm.
+    pub worm_speed_rpm: f64,
+    /// Dresser.
+    pub dresser_speed_rpm: f64,
+    /// Peripheral speed of the dresser over that of the worm, above 0 where both run the same way at the contact.
+    pub speed_ratio: f64,
+    /// Way of the dresser along the worm's axis per revolution of the worm.
+    pub traverse_per_worm_revolution_mm: f64,
+    /// Way of the thread past the dresser per revolution of the dresser.
+    pub thread_per_dresser_revolution_mm: f64,
+    /// Length of the contact along the thread.
+    pub contact_length_mm: f64,
+    /// Contact length over the way of the thread per revolution of the dresser.
+    pub overlap: f64,
+    /// Parts that a dresser lasts; absent without `technology.cost` or without a limit of V'_w.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub parts_per_dresser: Option<f64>,
+}
+
+/// An area of the worm, or all of it.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ZoneLoadResult {
+    /// "all", "roughing" or "finishing".
+    pub zone: String,
+    /// What one part takes of it.
+    pub per_part_mm3: f64,
+    /// Largest V'_w allowed.
+    pub allowed_mm3_per_mm: f64,
+    /// Where the strokes of the first part use it.
+    pub used_mm: [f64; 2],
+    /// Width at which all areas last equally long within the width of the worm.
+    pub balanced_width_mm: f64,
 }
 
 /// One flank under a stroke: the largest over the profile.
@@ -204,6 +264,8 @@ pub struct WormLoadResult {
     pub parts_by_width: Option<usize>,
     /// Parts at the job's jump from part to part before a place of the worm has removed more than is allowed.
     pub parts_per_dressing: usize,
+    /// Areas of the worm; widths in balance last equally long.
+    pub zones: Vec<ZoneLoadResult>,
     /// First place on the worm.
     pub from_mm: f64,
     /// V'_w of so many parts for each millimetre of the worm's width, the largest over the profile.

@@ -1,13 +1,17 @@
 //! What each stroke takes, how fast, where, and how near it comes to the limits.
 
-use super::result::{FlankRemovalResult, LimitShare, StrokeResult};
+use super::result::{FlankRemovalResult, LimitShare, RateMapResult, StrokeResult};
 use super::{RPM, UM};
 use crate::workflow::prepare::RemovalTask;
-use foundation::geometry::Flank;
-use grinding_technology::{Cycle, Direction, FlankStroke, Sense, StrokeFigures};
+use foundation::geometry::{Flank, Sides};
+use foundation::numerics::equidistant;
+use grinding_technology::{Cycle, Direction, FlankStroke, STATIONS, Sense, StrokeFigures};
+use rayon::prelude::*;
 
 /// Intervals of the removal rate over a stroke.
 const INTERVALS: usize = 60;
+/// Feeds of a map of Q'_w.
+const MAP_FEEDS: usize = 41;
 
 /// Times from the first contact on and the removal rate at each.
 fn over_time(cycle: &Cycle, k: usize) -> [Vec<f64>; 2] {
@@ -58,6 +62,7 @@ pub(super) fn stroke_result(cycle: &Cycle, k: usize, task: &RemovalTask) -> Stro
         worm_mm: figures.occupation,
         time_s: time,
         rate_mm3_per_s: rate,
+        rate_map: (figures.volume > 0.0).then(|| rate_map(cycle, k)),
         flanks: figures.flanks.map(|_, flank: &FlankStroke| FlankRemovalResult {
             depth_um: UM * flank.deepest,
             contact_length_mm: most(&flank.contact_length),
@@ -66,6 +71,32 @@ pub(super) fn stroke_result(cycle: &Cycle, k: usize, task: &RemovalTask) -> Stro
             chip_thickness_um: UM * flank.chip_thickness,
             passage_um: UM * most(&flank.passage),
         }),
+    }
+}
+
+/// Q'_w over flank and feed.
+fn rate_map(cycle: &Cycle, k: usize) -> RateMapResult {
+    let [a, b] = cycle.strokes[k].contact;
+    let feeds = equidistant([a.min(b), a.max(b)], MAP_FEEDS);
+    let spaces = cycle.stock.different_spaces();
+    let rates = |flank: Flank| -> Vec<Vec<f64>> {
+        let over_feed: Vec<[f64; STATIONS]> = feeds
+            .par_iter()
+            .map(|&v| {
+                let of_space = |space: usize| cycle.specific_rate(k, flank, space, v);
+                let larger = |a: [f64; STATIONS], b: [f64; STATIONS]| std::array::from_fn(|i| a[i].max(b[i]));
+                (0..spaces).map(of_space).fold([0.0; STATIONS], larger)
+            })
+            .collect();
+        (0..STATIONS).map(|i| over_feed.iter().map(|rates| rates[i]).collect()).collect()
+    };
+    RateMapResult {
+        diameter_mm: Sides::from_fn(|flank| {
+            let engagement = &cycle.bodies.flanks[flank];
+            engagement.stations().map(|w| 2.0 * engagement.work().radius(w)).to_vec()
+        }),
+        specific_rate_mm3_per_mm_s: Sides::from_fn(rates),
+        feed_mm: feeds,
     }
 }
 

@@ -1,21 +1,23 @@
 //! What the worm removes between two dressings, and the worm over its life.
 
 use super::RPM;
-use super::result::{WormLifeResult, WormLoadResult};
+use super::result::{WormLifeResult, WormLoadResult, ZoneLoadResult};
 use crate::workflow::prepare::{Prepared, RemovalTask};
-use grinding_technology::{Cycle, STATIONS, TechnologyError, WidthUse, WormLife, ZoneLimits};
+use foundation::numerics::extremes;
+use grinding_technology::{Cycle, ROUGHING, STATIONS, TechnologyError, WidthUse, WormLife, ZoneLimits};
 
 /// A speed that nothing limits, 1/s.
 const NO_LIMIT: f64 = 1e9;
 
 pub(super) fn worm_load(cycle: &Cycle, task: &RemovalTask) -> Option<WormLoadResult> {
     let (finishing, width) = (task.loads.finishing?, task.zone_width?);
-    let level = cycle.level(&ZoneLimits {
+    let limits = ZoneLimits {
         zone_width: width,
         zone_gap: task.zone_gap,
         allowed_roughing: task.loads.roughing.unwrap_or(finishing),
         allowed_finishing: finishing,
-    });
+    };
+    let level = cycle.level(&limits);
     let by_width = cycle.parts_by_width(width);
     let wear = cycle.wear();
     let by_shift = wear.parts_by_map(by_width, finishing);
@@ -34,9 +36,27 @@ pub(super) fn worm_load(cycle: &Cycle, task: &RemovalTask) -> Option<WormLoadRes
             WidthUse::Unbounded => None,
         },
         parts_per_dressing: by_shift,
+        zones: level.wear_per_part.iter().map(|zone| zone_load(cycle, zone, (&limits, by_load))).collect(),
         from_mm: from as f64,
         removed_mm3_per_mm: removed,
     })
+}
+
+/// An area with the width that lasts for so many parts.
+fn zone_load(
+    cycle: &Cycle,
+    (name, per_part): &(String, f64),
+    (limits, parts): (&ZoneLimits, f64),
+) -> ZoneLoadResult {
+    let allowed = if name == ROUGHING { limits.allowed_roughing } else { limits.allowed_finishing };
+    let own = cycle.strokes.iter().filter(|figures| figures.stroke.zone == *name);
+    ZoneLoadResult {
+        zone: name.clone(),
+        per_part_mm3: *per_part,
+        allowed_mm3_per_mm: allowed,
+        used_mm: extremes(own.flat_map(|figures| figures.occupation)),
+        balanced_width_mm: parts * per_part / allowed,
+    }
 }
 
 pub(super) fn life_of(

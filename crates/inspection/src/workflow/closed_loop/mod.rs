@@ -51,7 +51,7 @@ pub(super) fn of_file(
 }
 
 /// Teeth count from 1 up to those of the gear.
-fn check_teeth(files: &MeasuredFiles) -> Result<(), RunFailure> {
+pub(super) fn check_teeth(files: &MeasuredFiles) -> Result<(), RunFailure> {
     let inspection = &files.inspection;
     let last = inspection.gear.teeth.unsigned_abs();
     let traces = inspection.traces.iter().map(|trace| trace.tooth);

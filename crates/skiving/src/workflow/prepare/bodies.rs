@@ -15,13 +15,20 @@ use foundation::geometry::{
     ConeRake, EdgeRounding, Flank, Gear, Helicoid, PlaneRake, RakeFace, Sides, SkivingTool, SphericalRake,
 };
 use foundation::modification::EvaluationField;
-use run::{ModifiedFlank, RunFailure, blank_of_job, gear_of_job, modification_finding, specs_of_flank};
+use run::{
+    DrawingResult, ModifiedFlank, RunFailure, ToothMeasures, blank_of_job, gear_of_job, modification_finding,
+    specs_of_flank,
+};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// Edges, tracks and poses, and what the tool is judged by.
 #[derive(Clone, Debug)]
 pub struct SkivingBodies {
+    /// How the tooth thickness of the workpiece is measured, and the class of its drawing.
+    pub measures: ToothMeasures,
+    /// The same as results have it.
+    pub drawing: DrawingResult,
     /// Tool, workpiece, motion.
     pub pair: SkivingPair,
     /// The ideal edges.
@@ -66,6 +73,7 @@ pub(super) fn bodies_of_job(loaded: &LoadedSkivingJob) -> Result<SkivingBodies, 
     let on = |error: SkivingError| failure(&error);
     let gear = gear_of_job(&job.gear).map_err(RunFailure::bad_input)?;
     blank_of_job(&job.gear).check(&gear).map_err(|error| on(error.into()))?;
+    let measures = ToothMeasures::of(&job.gear, &gear).map_err(RunFailure::bad_input)?;
     let setting = PairData {
         tool_shift: job.skiving.tool_shift,
         centre_distance: job.skiving.centre_distance,
@@ -103,6 +111,8 @@ pub(super) fn bodies_of_job(loaded: &LoadedSkivingJob) -> Result<SkivingBodies, 
     });
     let bounds = &job.evaluation.limits;
     Ok(SkivingBodies {
+        drawing: measures.result(&gear),
+        measures,
         pair,
         edges,
         calibration,

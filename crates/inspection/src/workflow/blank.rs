@@ -1,0 +1,273 @@
+//! A measured blank as stock for grinding: how much stands over the finished gear on each flank of each tooth space.
+//!
+//! Traces tell the shape of a flank, not where it stands: the level of all is that of the measured tooth thickness, the level of each that
+//! of its pitch.
+
+use super::closed_loop::check_teeth;
+use super::drawn::DrawnGear;
+use super::evaluate::{EvaluatedGear, evaluate_inspection};
+use super::files::read_measurement;
+use super::files_content::MeasuredFiles;
+use super::statements::Statements;
+use super::surface::measured_surface;
+use foundation::geometry::{Flank, Gear, Sides};
+use foundation::numerics::{equidistant, extremes};
+use generating::GrindingSetup;
+use generating_grinding::job::LoadedJob;
+use generating_grinding::stock_file::{MeasuredStock, stock_table};
+use generating_grinding::workflow::prepare::prepare;
+use job::{Diagnostic, Problem};
+use metrology::Topography;
+use run::{JobFailure, RunFailure, WriteError, write_set};
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+use verdict::Remark;
+
+/// Places of the table along profile and face width.
+const PLACES: [usize; 2] = [11, 17];
+const UM: f64 = 1e3;
+
+/// The stock that a blank has over the finished gear.
+#[derive(Clone, Debug)]
+pub struct BlankStock {
+    /// Amounts on a grid in every tooth space, um.
+    pub flanks: Sides<Option<MeasuredStock>>,
+    /// In short.
+    pub result: BlankStockResult,
+}
+
+/// What a blank has on its flanks, normal.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct BlankStockResult {
+    /// Least, mean and greatest of each flank; absent for a flank that was not measured.
+    pub stock_um: Sides<Option<[f64; 3]>>,
+    /// Teeth whose traces were measured, on each flank; the others have the mean of them.
+    pub teeth_with_traces: Sides<usize>,
+    /// What the level comes from: "span", "balls" or "stock.allowance_um".
+    pub level_from: &'static str,
+    /// Whether every tooth stands where its pitch says.
+    pub with_pitch: bool,
+    /// What to know.
+    pub remarks: Vec<Remark>,
+}
+
+/// Reads a measured blank of the gear of a job.
+///
+/// # Errors
+/// [`JobFailure`]: what is wrong with file and job, a measurement of another gear or without thickness, cones.
+pub fn blank_of_file(
+    loaded: &LoadedJob,
+    path: &Path,
+    statements: &Statements,
+) -> Result<BlankStock, JobFailure> {
+    let mut plain = loaded.clone();
+    // The stock that is looked for is not asked for.
+    plain.job.stock = None;
+    plain.job.technology = None;
+    let setup = prepare(&plain)?.setup;
+    let drawn = DrawnGear::of_setup(&setup)?;
+    let files = read_measurement(path, Some(&drawn), statements)?;
+    check_teeth(&files)?;
+    drawn.is_of(&files.inspection)?;
+    Ok(stock_of(loaded, &setup, &files)?)
+}
+
+fn stock_of(
+    loaded: &LoadedJob,
+    setup: &GrindingSetup,
+    files: &MeasuredFiles,
+) -> Result<BlankStock, RunFailure> {
+    let inspection = &files.inspection;
+    let evaluated = evaluate_inspection(inspection, None)
+        .map_err(|error| RunFailure::bad_input(Diagnostic::of(&error)))?;
+    let finished = &setup.input.gear;
+    let level = Level::new(loaded, finished, &evaluated)?;
+    let mut remarks = files.remarks.clone();
+    let pitch = pitch_of(inspection.conditions.turned, finished, &evaluated);
+    if pitch.is_none() {
+        remarks.push(Remark {
+            code: "blank-without-pitch",
+            text: "the pitches are not known: every tooth space has the same mean stock".into(),
+            way_out: "measure the pitch of both flanks, counted counter-clockwise".into(),
+        });
+    }
+    let mut teeth_with_traces = Sides::both(0);
+    let teeth = finished.data().teeth.unsigned_abs() as usize;
+    let flanks = Sides::try_from_fn(|flank| {
+        let [roll, face] = [setup.fields[flank].roll(), setup.fields[flank].face()];
+        let (w, z) = (equidistant(roll, PLACES[0]), equidistant(face, PLACES[1]));
+        let found = measured_surface(inspection, &evaluated.gear, flank, [&w, &z], &|_, _, _| 0.0)
+            .map_err(|error| RunFailure::bad_input(Diagnostic::of(&error).field("FILE")))?;
+        let Some(found) = found else { return Ok(None) };
+        let about =
+            |surface: &Topography| about_place(surface, [level.roll[flank], 0.5 * (face[0] + face[1])]);
+        let shapes: Vec<(u32, Vec<f64>)> =
+            found.teeth.iter().filter_map(|(tooth, surface)| Some((*tooth, about(surface)?))).collect();
+        let Some(mean) = mean_of(&shapes) else { return Ok(None) };
+        teeth_with_traces[flank] = shapes.len();
+        let of_space = |space: usize| {
+            let tooth = tooth_of(flank, space, teeth);
+            let own = shapes.iter().find(|(number, _)| *number as usize == tooth + 1);
+            let by_pitch = pitch.as_ref().map_or(0.0, |pitch| pitch[flank][tooth]);
+            let shape = own.map_or(&mean, |(_, shape)| shape);
+            shape.iter().map(|f| UM * (f + level.amount[flank] + by_pitch)).collect()
+        };
+        let spaces: Vec<Vec<f64>> = (0..teeth).map(of_space).collect();
+        Ok::<_, RunFailure>(Some(MeasuredStock { w, z, spaces }))
+    })?;
+    if flanks.iter().all(|(_, found)| found.is_none()) {
+        let finding =
+            Diagnostic::new(Problem::InvalidTable, "no tooth has a profile and a helix trace that cross")
+                .field("FILE")
+                .allowed("profiles and helix traces of at least one tooth on a flank, or points of a field")
+                .way_out("measure one profile and one helix trace of some teeth");
+        return Err(RunFailure::bad_input(finding));
+    }
+    let stock_um = Sides::from_fn(|flank| {
+        let of_flank = flanks[flank].as_ref()?;
+        let [least, most] = extremes(of_flank.spaces.iter().flatten().copied());
+        let count = (of_flank.spaces.len() * of_flank.w.len() * of_flank.z.len()) as f64;
+        Some([least, of_flank.spaces.iter().flatten().sum::<f64>() / count, most])
+    });
+    let result = BlankStockResult {
+        stock_um,
+        teeth_with_traces,
+        level_from: level.from,
+        with_pitch: pitch.is_some(),
+        remarks,
+    };
+    Ok(BlankStock { flanks, result })
+}
+
+/// How far both flanks of the blank stand over the finished ones, and where on the profile that was seen. mm
+struct Level {
+    amount: Sides<f64>,
+    roll: Sides<f64>,
+    from: &'static str,
+}
+
+impl Level {
+    fn new(loaded: &LoadedJob, finished: &Gear, evaluated: &EvaluatedGear) -> Result<Self, RunFailure> {
+        let thickness = &evaluated.thickness;
+        let middle = || {
+            Sides::from_fn(|flank| {
+                let range = loaded.job.gear.evaluation_range();
+                let radius = 0.25 * (range.start_diameter + range.end_diameter);
+                finished.flank(flank).length_of_roll(radius).unwrap_or(0.0)
+            })
+        };
+        // Of thicker teeth the half space is narrower: the flanks stand nearer to each other by this angle.
+        let over = |blank: &Gear| {
+            Sides::from_fn(|flank| {
+                let (f, g) = (finished.flank(flank), blank.flank(flank));
+                (f.base_space_half_angle - g.base_space_half_angle) * f.base_radius * f.base_helix_angle.cos()
+            })
+        };
+        if thickness.by_span.is_some() || thickness.by_balls.is_some() {
+            let from = if thickness.by_span.is_some() { "span" } else { "balls" };
+            return Ok(Self { amount: over(&evaluated.gear), roll: middle(), from });
+        }
+        if let Some(allowance) = loaded.job.stock.as_ref().and_then(|stock| stock.allowance_um) {
+            let amount = allowance.sides().map(|_, um| um / UM);
+            return Ok(Self { amount, roll: middle(), from: "stock.allowance_um" });
+        }
+        let finding = Diagnostic::new(
+            Problem::MissingKey,
+            "the measurement tells no tooth thickness, so that nothing says how far the flanks stand over the finished ones",
+        )
+        .field("stock.allowance_um")
+        .allowed("a file with span or size over balls, or the mean stock in the job")
+        .way_out("give stock.allowance_um in the job: the stock in the middle of the flank");
+        Err(RunFailure::bad_input(finding))
+    }
+}
+
+/// Stock of each tooth by its pitch about the mean, normal, mm, tooth 1 first; `None` where the pitches of a flank are not known.
+fn pitch_of(turned: bool, finished: &Gear, evaluated: &EvaluatedGear) -> Option<Sides<Vec<f64>>> {
+    let pitch = evaluated.pitch.as_ref()?;
+    // Without a thickness variation the sense in which teeth are counted is not known.
+    pitch.thickness_variation?;
+    let of_flank = |flank: Flank| {
+        let found = pitch.flanks[flank].as_ref()?;
+        let f = finished.flank(flank);
+        let mean = found.cumulative.iter().sum::<f64>() / found.cumulative.len() as f64;
+        let angle = |arc: f64| (arc - mean) / finished.pitch_radius();
+        // A left flank that stands further on narrows the space behind it, a right one widens the space before it; the machine counted
+        // the gear as it saw it.
+        let seen = if turned { flank.other() } else { flank };
+        let sign = if seen == Flank::Left { 1.0 } else { -1.0 };
+        let normal = f.base_radius * f.base_helix_angle.cos();
+        Some(found.cumulative.iter().map(|arc| sign * angle(*arc) * normal).collect())
+    };
+    Some(Sides { left: of_flank(Flank::Left)?, right: of_flank(Flank::Right)? })
+}
+
+/// The tooth, from 0, whose flank bounds a space: space i follows the left flank of tooth i and precedes the right flank of the next.
+fn tooth_of(flank: Flank, space: usize, teeth: usize) -> usize {
+    match flank {
+        Flank::Left => space,
+        Flank::Right => (space + 1) % teeth,
+    }
+}
+
+/// A surface about its value at a place (w, z), complete: places that were not measured have the value of the nearest that was.
+fn about_place(surface: &Topography, [w, z]: [f64; 2]) -> Option<Vec<f64>> {
+    let columns = surface.z.len();
+    let known: Vec<usize> = (0..surface.f.len()).filter(|&k| surface.f[k].is_finite()).collect();
+    let scale = [surface.w.last()? - surface.w.first()?, surface.z.last()? - surface.z.first()?];
+    let nearest = |w: f64, z: f64| {
+        let distance = |k: usize| {
+            let (dw, dz) = ((surface.w[k / columns] - w) / scale[0], (surface.z[k % columns] - z) / scale[1]);
+            dw.hypot(dz)
+        };
+        known.iter().copied().min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
+    };
+    let level = surface.f[nearest(w, z)?];
+    (0..surface.f.len())
+        .map(|k| {
+            let here = if surface.f[k].is_finite() {
+                k
+            } else {
+                nearest(surface.w[k / columns], surface.z[k % columns])?
+            };
+            Some(surface.f[here] - level)
+        })
+        .collect()
+}
+
+fn mean_of(shapes: &[(u32, Vec<f64>)]) -> Option<Vec<f64>> {
+    let (_, first) = shapes.first()?;
+    let share = 1.0 / shapes.len() as f64;
+    Some((0..first.len()).map(|k| share * shapes.iter().map(|(_, shape)| shape[k]).sum::<f64>()).collect())
+}
+
+/// Writes the table `stock.csv` into `directory` (made if missing); returns its path.
+///
+/// # Errors
+/// [`WriteError`].
+pub fn write_blank(found: &BlankStock, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
+    let table = stock_table(&found.flanks)?;
+    write_set(directory, &[("stock.csv", table.text().as_bytes())], &[])
+}
+
+/// In words, with the keys that take it into a job.
+pub fn blank_summary(found: &BlankStock, written: &Path) -> String {
+    let mut text = String::new();
+    for (flank, stock) in found.result.stock_um.iter() {
+        let line = match stock {
+            Some([least, mean, most]) => format!(
+                "{flank} flank: stock {least:.1} to {most:.1} um, mean {mean:.1} um; traces of {} teeth\n",
+                found.result.teeth_with_traces[flank]
+            ),
+            None => format!("{flank} flank: not measured\n"),
+        };
+        text += &line;
+    }
+    text += &format!("level from {}", found.result.level_from);
+    text += if found.result.with_pitch { ", every tooth by its pitch\n" } else { "\n" };
+    for remark in &found.result.remarks {
+        text += &format!("warning: {} ({})\n", remark.text, remark.way_out);
+    }
+    text + &format!("\ninto the job:\n[stock]\nmap = \"{}\"\n", written.display())
+}
