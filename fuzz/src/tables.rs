@@ -1,5 +1,5 @@
-//! Tables of numbers: measured traces and fields; targets, tolerances and points of a blade; readings of a light barrier and reference
-//! pulses.
+//! Tables of numbers: measured traces and fields; targets, tolerances and points of a blade; readings of a light barrier, stock and
+//! reference pulses.
 
 use std::fmt::Write;
 
@@ -9,7 +9,7 @@ use flankwright::exchange::inspection::{
 use flankwright::exchange::milling_job::{BladePoints, BladeSide, parse_point_grid};
 use flankwright::exchange::{
     GridTarget, Source, parse_grid_target, parse_points, parse_reference_train, parse_skiving_readings,
-    parse_tolerances, parse_traces, readings_table,
+    parse_stock, parse_tolerances, parse_traces, readings_table,
 };
 use flankwright::process::skiving::measuring::Reading;
 
@@ -35,11 +35,12 @@ pub fn measured_table(data: &[u8]) {
     }
 }
 
-/// What jobs name: targets, traces, tolerances, clouds of points, rows of points in space, readings of a light barrier, reference pulses.
+/// What jobs name: targets, traces, tolerances, clouds of points, rows of points in space, readings of a light barrier, stock, reference pulses.
 pub fn table(data: &[u8]) {
     let Some(source) = taken(Source::from_bytes("table.csv", data)) else { return };
     grids(&source);
     readings(&source);
+    stock(&source);
     taken(parse_reference_train(source));
 }
 
@@ -107,6 +108,16 @@ fn grid_text(grid: &GridTarget, value: &str) -> String {
         }
     }
     text
+}
+
+/// Stock of a gear with three spaces.
+fn stock(source: &Source) {
+    let Some(table) = taken(parse_stock(source.clone(), 3)) else { return };
+    assert!(table.flanks.left.is_some() || table.flanks.right.is_some());
+    for (flank, map) in table.flanks.iter() {
+        let spaces = map.as_ref().map(|map| map.spaces());
+        assert!(matches!(spaces, None | Some(1 | 3)) && table.left_out[flank] < 3);
+    }
 }
 
 fn readings(source: &Source) {

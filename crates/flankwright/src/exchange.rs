@@ -11,6 +11,7 @@ pub use ::skiving::readings::{parse_skiving_readings, read_skiving_readings, rea
 pub use ::tangential_dressing::job::{LoadedTangentialJob, TangentialJob};
 pub use generating_grinding::catalogue;
 pub use generating_grinding::job::{Job, LoadedJob};
+pub use generating_grinding::stock_file::{MeasuredStock, StockTable, parse_stock, read_stock, stock_table};
 pub use measured_files::{inspection, rexs};
 
 use crate::processes;

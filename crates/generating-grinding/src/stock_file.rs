@@ -56,7 +56,7 @@ pub fn parse_stock(source: Source, spaces: usize) -> Result<StockTable, JobError
     table(source.text(), spaces).map_err(|finding| JobError::single(source, finding))
 }
 
-/// The rows of a table that [`read_stock`] reads: for each flank its spaces, lengths of roll and heights, mm, with amounts `[space][w][z]`, um.
+/// The rows of a table that [`read_stock`] reads.
 ///
 /// # Errors
 /// [`CsvError`] for numbers that are not finite.
@@ -65,11 +65,11 @@ pub fn stock_table(flanks: &Sides<Option<MeasuredStock>>) -> Result<CsvTable, Cs
         CsvTable::new(&["flank", "space", "w_mm", "z_mm", "um"].map(|name| Column::new(name, "")));
     for (flank, of_flank) in flanks.iter() {
         let Some(MeasuredStock { w, z, spaces }) = of_flank else { continue };
-        for (space, amounts) in spaces.iter().enumerate() {
+        for (space, amounts) in spaces {
             for (k, um) in amounts.iter().enumerate() {
                 table.push_cells(&[
                     Cell::Word(flank.name()),
-                    Cell::Number(space as f64),
+                    Cell::Number(*space as f64),
                     Cell::Number(w[k / z.len()]),
                     Cell::Number(z[k % z.len()]),
                     Cell::Number(*um),
@@ -87,8 +87,8 @@ pub struct MeasuredStock {
     pub w: Vec<f64>,
     /// Heights, mm.
     pub z: Vec<f64>,
-    /// Amounts `[space][w][z]`, um.
-    pub spaces: Vec<Vec<f64>>,
+    /// Numbers of tooth spaces with their amounts `[w][z]`, um.
+    pub spaces: Vec<(usize, Vec<f64>)>,
 }
 
 fn table(text: &str, spaces: usize) -> Result<StockTable, Diagnostic> {
@@ -192,7 +192,7 @@ mod tests {
         let measured = MeasuredStock {
             w: vec![5.0, 9.0],
             z: vec![-1.0, 1.0],
-            spaces: vec![vec![100.0, 110.0, 120.0, 130.0], vec![90.0; 4], vec![80.5; 4]],
+            spaces: vec![(0, vec![100.0, 110.0, 120.0, 130.0]), (1, vec![90.0; 4]), (2, vec![80.5; 4])],
         };
         let text = stock_table(&Sides { left: Some(measured), right: None }).unwrap();
         let table = read(text.text()).unwrap();

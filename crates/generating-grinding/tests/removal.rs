@@ -97,7 +97,7 @@ fn limits_stock_and_strokes_are_held_against_each_other() {
     assert!(codes(&harder).contains(&"limit-exceeded"), "{:?}", codes(&harder));
     let thin = run(|loaded| {
         without_programs(loaded);
-        loaded.job.stock.as_mut().unwrap().allowance_um = OneOrSides::Both(20.0);
+        loaded.job.stock.as_mut().unwrap().allowance_um = Some(OneOrSides::Both(20.0));
     });
     for code in ["no-stock", "stroke-cuts-air"] {
         assert!(codes(&thin).contains(&code), "{:?}", codes(&thin));
@@ -191,7 +191,7 @@ fn strokes_up_and_down_are_driven_and_proven() {
     assert!(!codes(&run).contains(&"approach-too-short"), "{:?}", codes(&run));
     // The same text on a blank with five times the stock: contact begins where the worm comes in.
     let mut thick = load("spur-gear.toml");
-    thick.job.stock.as_mut().unwrap().allowance_um = OneOrSides::Both(600.0);
+    thick.job.stock.as_mut().unwrap().allowance_um = Some(OneOrSides::Both(600.0));
     let bodies = OnGrinding::new(&thick, &Silent).unwrap();
     let built = &run.programs.as_ref().unwrap().built.programs;
     let text = built.iter().find(|program| program.file.contains("/grinding-")).unwrap();

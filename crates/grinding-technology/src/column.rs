@@ -20,22 +20,20 @@ pub(crate) fn mean_between(stock: &[f64], [low, high]: [f64; 2]) -> f64 {
 
 /// Section that goes per feed: the integral of H D over the places with 0 < D and H D^2/2 below the depth of cut. `reach` are the distances
 /// sqrt(2 a_e/H) along the face width, `ahead` is D at its first place and D at its last.
-pub(crate) fn section(
-    reach: impl Iterator<Item = f64>,
-    cells: usize,
-    ahead: [f64; 2],
-    curvature: f64,
-) -> f64 {
+pub(crate) fn section(reach: &[f64], ahead: [f64; 2], curvature: f64) -> f64 {
+    let cells = reach.len() - 1;
     let at = |k: usize| ahead[0] + (ahead[1] - ahead[0]) * k as f64 / cells as f64;
-    let mut sum = 0.0;
-    let mut before: Option<(f64, f64)> = None;
-    for (k, reach) in reach.enumerate() {
-        let now = (at(k), reach);
-        if let Some(before) = before {
-            sum += cell(before, now);
-        }
-        before = Some(now);
+    let most = reach.iter().copied().fold(0.0, f64::max);
+    // Cells in which D comes between 0 and the largest reach.
+    let place = |d: f64| (d - ahead[0]) / (ahead[1] - ahead[0]) * cells as f64;
+    let (a, b) = (place(0.0), place(most));
+    let (from, to) = (a.min(b).floor(), a.max(b).ceil());
+    if !(to > 0.0 && from < cells as f64) {
+        return 0.0;
     }
+    // Clamped to the column.
+    let (from, to) = (from.max(0.0) as usize, to.min(cells as f64) as usize);
+    let sum: f64 = (from..to).map(|k| cell((at(k), reach[k]), (at(k + 1), reach[k + 1]))).sum();
     // D runs with z, up or down: H/2 times the squares at the ends of what is cut.
     0.5 * curvature * sum
 }
@@ -81,9 +79,14 @@ mod tests {
     fn a_section_inside_the_stock_is_the_depth_of_cut() {
         let (curvature, depth) = (0.002, 0.07);
         let reach = f64::sqrt(2.0 * depth / curvature);
-        let whole = section([reach; 41].into_iter(), 40, [20.0, -20.0], curvature);
+        let whole = section(&[reach; 41], [20.0, -20.0], curvature);
         assert!((whole - depth).abs() < 1e-15);
-        let entering = section([reach; 2].into_iter(), 1, [3.0, -37.0], curvature);
+        let entering = section(&[reach; 2], [3.0, -37.0], curvature);
         assert!((entering - 0.5 * curvature * 9.0).abs() < 1e-15);
+        // Upwards as downwards, and nothing where the contact is not on the face.
+        let upwards = section(&[reach; 41], [-20.0, 20.0], curvature);
+        assert!((upwards - depth).abs() < 1e-15);
+        assert_eq!(section(&[reach; 41], [90.0, 50.0], curvature), 0.0);
+        assert_eq!(section(&[reach; 41], [-1.0, -41.0], curvature), 0.0);
     }
 }

@@ -90,10 +90,4 @@ impl Sampled {
         let from = (i * self.spaces + k) * self.z.len();
         &self.values[from..from + self.z.len()]
     }
-
-    /// Integral over the profile of `value` at each length of roll.
-    pub fn over_profile(&self, value: impl Fn(usize) -> f64 + Sync + Send) -> f64 {
-        let at: Vec<f64> = (0..self.w.len()).into_par_iter().map(value).collect();
-        weights(&self.w).iter().zip(at).map(|(weight, value)| weight * value).sum()
-    }
 }

@@ -2,7 +2,7 @@
 
 use crate::bodies::{axes, helical, spur, stroke, uneven};
 use foundation::geometry::{Flank, Sides};
-use grinding_technology::{Cycle, Direction, Stock, StockField, exact_gap};
+use grinding_technology::{Cycle, Direction, Stock, StockField, StockMap, exact_gap, hob_mark_height};
 
 fn cycle(uneven_stock: bool, direction: Direction) -> Cycle {
     let bodies = helical();
@@ -48,6 +48,62 @@ fn uneven_stock_is_balanced_too() {
         let off = removed(&cycle, k, 200) / cycle.strokes[k].volume - 1.0;
         assert!(off.abs() < 1e-4, "stroke {k}: {off:e}");
     }
+}
+
+/// A table over flank and face, every space its own: what goes in comes out, and the volume of an amount that is linear in both is known.
+#[test]
+fn stock_of_a_table_is_balanced() {
+    let bodies = helical();
+    let spaces = bodies.teeth() as usize;
+    let maps = Sides::from_fn(|flank| {
+        let [from, to] = bodies.flanks[flank].roll;
+        let w: Vec<f64> = (0..9).map(|k| from + (to - from) * f64::from(k) / 8.0).collect();
+        let z: Vec<f64> = (0..13).map(|k| bodies.face_width * (f64::from(k) / 12.0 - 0.5)).collect();
+        let of_space = |space: usize| -> Vec<f64> {
+            let own = 0.01 * (space as f64 * 0.7).sin();
+            let at = |w: f64, z: f64| 0.1 + own + 0.004 * (w - from) + 0.0005 * z;
+            w.iter().flat_map(|&w| z.iter().map(move |&z| at(w, z))).collect()
+        };
+        Some(StockMap::new(w.clone(), z.clone(), (0..spaces).map(of_space).collect()).unwrap())
+    });
+    let stock = Stock { map: maps, ..Stock::constant(Sides::both(0.0)) };
+    let field = StockField::new(stock, &bodies).unwrap();
+    let strokes = vec![stroke(0.03, 0.0, Direction::Up), stroke(0.0, -1.9, Direction::Down)];
+    let cycle = Cycle::new(bodies, field, strokes).unwrap();
+    // Integral of J (c + g (w - from)), J = w/(r_b cos beta_b), over profile and face; the slope along the face adds nothing.
+    let own: f64 = (0..spaces).map(|space| 0.01 * (space as f64 * 0.7).sin()).sum();
+    let want: f64 = Flank::BOTH
+        .iter()
+        .map(|&flank| {
+            let engagement = &cycle.bodies.flanks[flank];
+            let ([a, b], work) = (engagement.roll, engagement.work());
+            let (area, moment) =
+                (0.5 * (b * b - a * a), (b.powi(3) - a.powi(3)) / 3.0 - 0.5 * a * (b * b - a * a));
+            let by = cycle.bodies.face_width / (work.base_radius * work.base_helix_angle.cos());
+            by * ((0.1 * spaces as f64 + own) * area + 0.004 * spaces as f64 * moment)
+        })
+        .sum();
+    assert!((cycle.stock_volume() / want - 1.0).abs() < 1e-6, "{} for {want}", cycle.stock_volume());
+    for k in 0..2 {
+        let off = removed(&cycle, k, 200) / cycle.strokes[k].volume - 1.0;
+        assert!(off.abs() < 1e-4, "stroke {k}: {off:e}");
+    }
+}
+
+/// The hob as worm: marks grow with the square of the feed and are lower for a larger hob.
+#[test]
+fn marks_of_a_hob_follow_from_the_hob() {
+    let bodies = helical();
+    let height = |tip: f64, threads: i32, feed: f64| hob_mark_height(&bodies, (threads, tip), feed).unwrap();
+    let one = height(80.0, 1, 2.0);
+    assert!((height(80.0, 1, 4.0) / one - 4.0).abs() < 1e-9);
+    assert!(height(160.0, 1, 2.0) < 0.6 * one, "{} of {one}", height(160.0, 1, 2.0));
+    // Of about the height f^2 sin(alpha)/(4 d) of the textbooks for a spur gear; a helical one has the contact askew.
+    let textbook = 4.0 * 20f64.to_radians().sin() / (4.0 * 80.0);
+    assert!(one > 0.5 * textbook && one < 2.0 * textbook, "{one} {textbook}");
+    assert!(
+        hob_mark_height(&bodies, (9, 8.0), 2.0).is_err() && hob_mark_height(&bodies, (1, 80.0), 0.0).is_err()
+    );
 }
 
 #[test]

@@ -176,6 +176,9 @@ fn jobs() -> Vec<Value> {
     );
     whole["gear"]["evaluation"] =
         json!({ "start_diameter": 143.0, "end_diameter": 160.0, "z_start": -9.0, "z_end": 9.0 });
+    whole["gear"]["allowances_um"] = json!({ "lower": -60.0, "upper": -20.0 });
+    whole["gear"]["measured_over"] = json!({ "span_teeth": 3, "ball_diameter": 10.5 });
+    whole["gear"]["tolerance_class"] = json!(7);
     whole["target"]["modifications"] = json!([
         { "kind": "tip_relief", "amount_um": 10.0, "length_mm": 3.0, "exponent": 2, "flank": "both" },
         { "kind": "helix_crowning", "amount_um": 10.0, "flank": "both" }]);
@@ -186,6 +189,7 @@ fn jobs() -> Vec<Value> {
     whole["output"] = json!({ "programs": ["siemens"] });
     let mut halves = gear.clone();
     halves["face_width"] = json!(41.0);
+    halves["measured_over"] = json!({ "roll_diameter": 10.5 });
     halves["double_helical"] = json!({ "gap": 6.0, "apex": 0.5 });
     let mut held = cutter.clone();
     held["cutting_length"] = json!(9.0);

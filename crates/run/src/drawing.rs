@@ -116,7 +116,8 @@ pub(super) fn tolerances(drawing: &JobGear, gear: &Gear) -> Result<Option<Tolera
         Diagnostic::of(&error).field("gear.tolerance_class").value(class.to_string())
     };
     let tolerances = Tolerances::new(&of).map_err(refused)?;
-    let um = |quantity| Ok(1e3 * tolerances.rounded(quantity, class).map_err(refused)?);
+    // Multiples of a tenth of a micrometre.
+    let um = |quantity| Ok((1e4 * tolerances.rounded(quantity, class).map_err(refused)?).round() / 10.0);
     Ok(Some(ToleranceResult {
         class,
         f_pT_um: um(ToleranceQuantity::SinglePitch)?,

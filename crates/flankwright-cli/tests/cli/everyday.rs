@@ -82,8 +82,82 @@ fn check_says_what_a_plan_would_say() {
     // The drawing's own number of teeth, not the best one.
     let text = replaced(job(), &[("profile_shift = 0.0\n", "span = { teeth = 3, length = 26.65 }\n")]);
     let (_, told) = check("job.toml", text.as_bytes());
-    assert_eq!(told.json()["derived"]["gear"]["span_teeth"], 3, "{told:?}");
-    assert!((told.json()["derived"]["gear"]["span_mm"].as_f64().unwrap() - 26.65).abs() < 1e-6);
+    let thickness = told.json()["derived"]["tooth_thickness"].clone();
+    assert_eq!(thickness["span_teeth"], 3, "{told:?}");
+    assert!((thickness["span_mm"].as_f64().unwrap() - 26.65).abs() < 1e-6);
+}
+
+/// What a shop asks before it plans: sizes with their limits, tolerances of the class, reach of the worm, the axes of its machine.
+#[test]
+fn check_answers_before_any_plan() {
+    let machine = format!("{}/../../machines/eight-axis.toml", env!("CARGO_MANIFEST_DIR"));
+    let drawn = "span = { teeth = 3, length = 26.65 }\nallowances_um = { lower = -90.0, upper = -50.0 }\n\
+                 measured_over = { ball_diameter = 6.0, roll_diameter = 6.0 }\ntolerance_class = 6\n";
+    let on_machine = format!("[machine]\nfile = {machine:?}\n\n[grid]\n");
+    let text = replaced(job(), &[("profile_shift = 0.0\n", drawn), ("[grid]\n", &on_machine)]);
+    let (_, told) = check("job.toml", text.as_bytes());
+    assert_eq!(told.exit, Some(0), "{told:?}");
+    let derived = &told.json()["derived"];
+    let number = |section: &str, key: &str| {
+        derived[section][key].as_f64().unwrap_or_else(|| panic!("no {section}.{key}: {derived}"))
+    };
+    for (key, want) in [("span_mm", 26.58), ("span_least_mm", 26.56), ("span_greatest_mm", 26.6)] {
+        assert!(
+            (number("tooth_thickness", key) - want).abs() < 1e-9,
+            "{key}: {}",
+            number("tooth_thickness", key)
+        );
+    }
+    // An odd number of helical teeth: rolls slide opposite each other, balls stand in one section.
+    assert!(number("tooth_thickness", "over_rolls_mm") > number("tooth_thickness", "over_balls_mm") + 0.2);
+    assert_eq!(number("tolerances_of_ISO_1328-1", "class"), 6.0);
+    assert!((number("tolerances_of_ISO_1328-1", "F_pT_um") - 29.0).abs() < 1.0);
+    let reach = number("reach_and_feed", "generated_from_left_mm");
+    assert!(reach > 72.4 && reach < 76.21, "{reach}");
+    for axis in ["X1_room_mm", "Z1_room_mm", "A1_room_deg", "V1_room_mm"] {
+        assert!(number("machine,_before_corrections", axis) > 0.0, "{axis}");
+    }
+    // The whole width passes the dresser: a travel of 110 mm has no room for it, whatever the plan.
+    let description = std::fs::read_to_string(&machine).unwrap();
+    let directory = tempfile::tempdir().unwrap();
+    let (before, shift) = description.split_once("[axes.V1]").unwrap();
+    let shift = shift.replacen("min_mm = -140", "min_mm = -55", 1).replacen("max_mm = 140", "max_mm = 55", 1);
+    file(directory.path(), "narrow.toml", &format!("{before}[axes.V1]{shift}"));
+    let text = text.replace(&format!("{machine:?}"), "\"narrow.toml\"");
+    let path = write_job(directory.path(), text, &[]);
+    let told = run(&["check", &path, "--json"]);
+    assert_eq!(told.exit, Some(0), "{told:?}");
+    let warnings = told.json()["warnings"].clone();
+    let said = warnings.as_array().unwrap().iter().find(|warning| warning["code"] == "beyond-travel");
+    assert!(said.is_some_and(|said| said["text"].as_str().unwrap().contains("V1")), "{warnings}");
+    // A roll that no face width brings opposite its fellow, a measure that touches no involute.
+    for (key, more) in [
+        ("gear.measured_over.roll_diameter", "measured_over = { roll_diameter = 6.0 }\n"),
+        ("gear.measured_over.ball_diameter", "measured_over = { ball_diameter = 1.0 }\n"),
+        ("gear.measured_over.span_teeth", "measured_over = { span_teeth = 12 }\n"),
+        ("gear.allowances_um.lower", "allowances_um = { lower = -50.0, upper = -90.0 }\n"),
+        ("gear.tolerance_class", "tolerance_class = 12\n"),
+    ] {
+        let text = replaced(job(), &[("profile_shift = 0.0\n", &format!("profile_shift = 0.0\n{more}"))]);
+        let text = if key.ends_with("roll_diameter") {
+            replaced(
+                text,
+                &[
+                    ("face_width = 40.0", "face_width = 9.0"),
+                    ("z_start = -20.0, z_end = 20.0", "z_start = -4.0, z_end = 4.0"),
+                ],
+            )
+        } else {
+            text
+        };
+        let (_, told) = check("job.toml", text.as_bytes());
+        assert_eq!(told.exit, Some(2), "{key}: {told:?}");
+        assert_eq!(told.json()["error"]["field"], key, "{told:?}");
+        assert!(
+            told.json()["error"]["way_out"].as_str().is_some_and(|way_out| !way_out.is_empty()),
+            "{told:?}"
+        );
+    }
 }
 
 #[test]

@@ -12,7 +12,7 @@ use flankwright::exchange::rexs::{RexsError, gear_ids, gear_of, read_rexs};
 use flankwright::exchange::skiving_history::read_history;
 use flankwright::exchange::{
     JobError, job_template, read_any_job, read_grid_target, read_points, read_reference_train,
-    read_skiving_readings, read_tolerances, read_traces,
+    read_skiving_readings, read_stock, read_tolerances, read_traces,
 };
 use verify::{VerifyError, VerifyOptions, verify_file};
 
@@ -150,6 +150,9 @@ pub fn all() -> Vec<Reader> {
         reader("measured fields", "csv", file("fuzz/seeds/measured_table/fields.csv"), measured),
         reader("readings", "csv", file("fuzz/seeds/table/readings.csv"), |path| {
             Ok(read_skiving_readings(path, TRACKS)?.len())
+        }),
+        reader("stock", "csv", file("fuzz/seeds/table/stock.csv"), |path| {
+            Ok(read_stock(path, 3)?.flanks.iter().flat_map(|(_, map)| map).map(|map| map.spaces()).sum())
         }),
         reader("reference pulses", "csv", file("fuzz/seeds/table/train.csv"), |path| {
             Ok(read_reference_train(path)?.references().len())

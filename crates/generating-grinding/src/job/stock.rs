@@ -14,7 +14,7 @@ pub struct Stock {
     #[schemars(schema_with = "allowance")]
     pub allowance_um: Option<OneOrSides<f64>>,
     /// A table that is added to it: columns flank, w_mm, z_mm, um and, for a table of each tooth, space (0 to teeth - 1). Bilinear between its
-    /// places, beyond its rim as on it. `flankwright inspect BLANK --job JOB` writes it of a measured blank (stock.csv).
+    /// places, beyond its rim as on it. `flankwright inspect BLANK --job JOB --blank` writes it of a measured blank (stock.csv).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub map: Option<String>,
     /// What is added to it by diameter, linear in the length of roll between the diameters, constant outside: protuberance and root step are

@@ -64,7 +64,7 @@ pub fn of_grinding(
 /// What the worm reaches, and which feeds and part of it grind the evaluated field.
 fn contact_section(derived: &mut DerivedGeometry, ready: &Prepared) {
     let setup = &ready.setup;
-    derived.section("grinding contact");
+    derived.section("reach and feed");
     for flank in machine_fit::which(ready) {
         let pair = &setup.pair.flanks[flank];
         let Ok(at_tip) = pair.worm.length_of_roll(setup.worm_tip_radius) else { continue };
@@ -95,7 +95,7 @@ fn contact_section(derived: &mut DerivedGeometry, ready: &Prepared) {
         let label = if ready.rules.given_ratio.is_some() || ready.rules.radial {
             "diagonal ratio"
         } else {
-            "diagonal ratio (a plan chooses it; from here on without)"
+            "diagonal ratio (a plan chooses it)"
         };
         derived.quantity("diagonal_ratio", label, ratio, "");
     }

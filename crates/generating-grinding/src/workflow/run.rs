@@ -117,9 +117,7 @@ fn finish(
     let partition = Partition::of_cycle(&prepared, execution.ratio, &execution.motion.shift)?;
     let stroking = Instant::now();
     let on_stock = put_on_stock(&mut prepared, &execution)?;
-    if on_stock.is_some() {
-        timing.insert("stock and strokes", stroking.elapsed().as_secs_f64());
-    }
+    let stroked_in = stroking.elapsed().as_secs_f64();
     let cycle = &prepared.cycle;
     let tip_lands = TipLands::of_execution(&prepared, &execution, plan.is_some())?;
     let dressing_lines = Instant::now();
@@ -159,11 +157,17 @@ fn finish(
         timing.insert("programs", programs.seconds[0]);
         timing.insert("proof of the programs", programs.seconds[1]);
     }
+    let removing = Instant::now();
     let removal = removal_of_run(
         &prepared,
         &execution,
         (on_stock.as_ref(), programs.as_ref().map(|programs| &programs.result)),
     )?;
+    if let Some(on_stock) = &on_stock {
+        let choosing = on_stock.offers.as_ref().map_or(0.0, |offers| offers.seconds);
+        timing.insert("cycles within the limits", choosing);
+        timing.insert("stock and strokes", stroked_in - choosing + removing.elapsed().as_secs_f64());
+    }
     let mut warnings = prepared.warnings.clone();
     warnings.extend(execution.warnings.iter().cloned());
     warnings.extend(tip_lands.warnings.iter().cloned());

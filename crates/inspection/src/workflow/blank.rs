@@ -1,7 +1,7 @@
 //! A measured blank as stock for grinding: how much stands over the finished gear on each flank of each tooth space.
 //!
 //! Traces tell the shape of a flank, not where it stands: the level of all is that of the measured tooth thickness, the level of each that
-//! of its pitch.
+//! of its pitch. The table holds what is to be added to `stock.allowance_um` of the job.
 
 use super::closed_loop::check_teeth;
 use super::drawn::DrawnGear;
@@ -31,13 +31,13 @@ const UM: f64 = 1e3;
 /// The stock that a blank has over the finished gear.
 #[derive(Clone, Debug)]
 pub struct BlankStock {
-    /// Amounts on a grid in every tooth space, um.
+    /// Amounts on a grid in every tooth space beyond `stock.allowance_um` of the job, um.
     pub flanks: Sides<Option<MeasuredStock>>,
     /// In short.
     pub result: BlankStockResult,
 }
 
-/// What a blank has on its flanks, normal.
+/// What a blank has on its flanks in all, normal.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BlankStockResult {
     /// Least, mean and greatest of each flank; absent for a flank that was not measured.
@@ -82,7 +82,10 @@ fn stock_of(
     let evaluated = evaluate_inspection(inspection, None)
         .map_err(|error| RunFailure::bad_input(Diagnostic::of(&error)))?;
     let finished = &setup.input.gear;
-    let level = Level::new(loaded, finished, &evaluated)?;
+    let allowance = loaded.job.stock.as_ref().and_then(|stock| stock.allowance_um);
+    let allowance = allowance.map(|um| um.sides().map(|_, um| um / UM));
+    let level = Level::new(loaded, finished, (&evaluated, allowance))?;
+    let stated = allowance.unwrap_or(Sides::both(0.0));
     let mut remarks = files.remarks.clone();
     let pitch = pitch_of(inspection.conditions.turned, finished, &evaluated);
     if pitch.is_none() {
@@ -96,7 +99,7 @@ fn stock_of(
     let teeth = finished.data().teeth.unsigned_abs() as usize;
     let flanks = Sides::try_from_fn(|flank| {
         let [roll, face] = [setup.fields[flank].roll(), setup.fields[flank].face()];
-        let (w, z) = (equidistant(roll, PLACES[0]), equidistant(face, PLACES[1]));
+        let (w, z) = (rounded(roll, PLACES[0]), rounded(face, PLACES[1]));
         let found = measured_surface(inspection, &evaluated.gear, flank, [&w, &z], &|_, _, _| 0.0)
             .map_err(|error| RunFailure::bad_input(Diagnostic::of(&error).field("FILE")))?;
         let Some(found) = found else { return Ok(None) };
@@ -111,9 +114,13 @@ fn stock_of(
             let own = shapes.iter().find(|(number, _)| *number as usize == tooth + 1);
             let by_pitch = pitch.as_ref().map_or(0.0, |pitch| pitch[flank][tooth]);
             let shape = own.map_or(&mean, |(_, shape)| shape);
-            shape.iter().map(|f| UM * (f + level.amount[flank] + by_pitch)).collect()
+            let over = level.amount[flank] - stated[flank] + by_pitch;
+            // Hundredths of a micrometre are far below what a machine measures.
+            let um = shape.iter().map(|f| (1e2 * UM * (f + over)).round() * 1e-2).collect();
+            // Without pitches the others have the mean of those with traces, which the reader of the table knows.
+            (pitch.is_some() || own.is_some()).then_some((space, um))
         };
-        let spaces: Vec<Vec<f64>> = (0..teeth).map(of_space).collect();
+        let spaces: Vec<(usize, Vec<f64>)> = (0..teeth).filter_map(of_space).collect();
         Ok::<_, RunFailure>(Some(MeasuredStock { w, z, spaces }))
     })?;
     if flanks.iter().all(|(_, found)| found.is_none()) {
@@ -126,9 +133,10 @@ fn stock_of(
     }
     let stock_um = Sides::from_fn(|flank| {
         let of_flank = flanks[flank].as_ref()?;
-        let [least, most] = extremes(of_flank.spaces.iter().flatten().copied());
+        let all = || of_flank.spaces.iter().flat_map(|(_, um)| um).map(|um| um + UM * stated[flank]);
+        let [least, most] = extremes(all());
         let count = (of_flank.spaces.len() * of_flank.w.len() * of_flank.z.len()) as f64;
-        Some([least, of_flank.spaces.iter().flatten().sum::<f64>() / count, most])
+        Some([least, all().sum::<f64>() / count, most])
     });
     let result = BlankStockResult {
         stock_um,
@@ -140,6 +148,11 @@ fn stock_of(
     Ok(BlankStock { flanks, result })
 }
 
+/// Equidistant places, to a micrometre.
+fn rounded(ends: [f64; 2], count: usize) -> Vec<f64> {
+    equidistant(ends, count).into_iter().map(|place| (1e3 * place).round() * 1e-3).collect()
+}
+
 /// How far both flanks of the blank stand over the finished ones, and where on the profile that was seen. mm
 struct Level {
     amount: Sides<f64>,
@@ -148,7 +161,11 @@ struct Level {
 }
 
 impl Level {
-    fn new(loaded: &LoadedJob, finished: &Gear, evaluated: &EvaluatedGear) -> Result<Self, RunFailure> {
+    fn new(
+        loaded: &LoadedJob,
+        finished: &Gear,
+        (evaluated, allowance): (&EvaluatedGear, Option<Sides<f64>>),
+    ) -> Result<Self, RunFailure> {
         let thickness = &evaluated.thickness;
         let middle = || {
             Sides::from_fn(|flank| {
@@ -168,8 +185,7 @@ impl Level {
             let from = if thickness.by_span.is_some() { "span" } else { "balls" };
             return Ok(Self { amount: over(&evaluated.gear), roll: middle(), from });
         }
-        if let Some(allowance) = loaded.job.stock.as_ref().and_then(|stock| stock.allowance_um) {
-            let amount = allowance.sides().map(|_, um| um / UM);
+        if let Some(amount) = allowance {
             return Ok(Self { amount, roll: middle(), from: "stock.allowance_um" });
         }
         let finding = Diagnostic::new(
@@ -269,5 +285,8 @@ pub fn blank_summary(found: &BlankStock, written: &Path) -> String {
     for remark in &found.result.remarks {
         text += &format!("warning: {} ({})\n", remark.text, remark.way_out);
     }
-    text + &format!("\ninto the job:\n[stock]\nmap = \"{}\"\n", written.display())
+    text + &format!(
+        "\ninto the job, beside allowance_um as it stands there:\n[stock]\nmap = \"{}\"\n",
+        written.display()
+    )
 }

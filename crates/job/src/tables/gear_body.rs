@@ -55,10 +55,10 @@ mod tests {
     use super::super::{Allowances, Gear, OverBalls, Span};
 
     fn gear() -> Gear {
-        toml::from_str(
-            "teeth = 29\nnormal_module = 2.0\nnormal_pressure_angle_deg = 20.0\nhelix_angle_deg = 15.0\nprofile_shift = 0.2\n\
-             face_width = 20.0\ntip_diameter = 65.0\nroot_diameter = 56.0\nform_diameter = 57.0",
-        )
+        serde_json::from_value(serde_json::json!({
+            "teeth": 29, "normal_module": 2.0, "normal_pressure_angle_deg": 20.0, "helix_angle_deg": 15.0, "profile_shift": 0.2,
+            "face_width": 20.0, "tip_diameter": 65.0, "root_diameter": 56.0, "form_diameter": 57.0,
+        }))
         .unwrap()
     }
 

@@ -372,6 +372,7 @@ impl Input {
                 eccentricity: UM * run_out.eccentricity_um,
                 angle: run_out.angle_deg.to_radians(),
             }),
+            map: Sides::both(None),
             hob: input.hob.as_ref().map(|hob| HobMarks {
                 feed: hob.feed,
                 height: UM * hob.height_um,

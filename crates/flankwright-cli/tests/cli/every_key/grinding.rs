@@ -6,12 +6,13 @@ use super::title_block;
 use serde_json::{Value, json};
 
 /// Keys that change nothing.
-const EXCEPTIONS: [(&str, &str); 20] = [
+const EXCEPTIONS: [(&str, &str); 21] = [
     ("job.name", "a name"),
     ("job.description", "a comment"),
     ("job.process", "says which keys there are"),
     ("machine.file", "the name of a file; without it the job is refused"),
     ("target.file", "the name of a file; without it the job is refused"),
+    ("stock.map", "the name of a file; without it the job is refused"),
     ("catalogue.file", "the name of a file; without it the job is refused"),
     ("catalogue.worms_csv", "the name of a file; without it the job is refused"),
     ("catalogue.dressers_csv", "the name of a file; without it the job is refused"),
@@ -92,6 +93,8 @@ fn values() -> Vec<(&'static str, Value)> {
         ("inspection.simulated.rounds", json!(2)),
         ("stock.terms.flank", json!("right")),
         ("technology.cycle", json!("standard")),
+        ("technology.dressing.rotation", json!("opposite")),
+        ("technology.dressing.least_overlap", json!(500.0)),
         ("technology.limits.least_feed", json!(0.79)),
         ("technology.strokes.direction", json!("up")),
         ("technology.strokes.zone", json!("finishing")),

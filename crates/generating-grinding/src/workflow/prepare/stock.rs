@@ -66,7 +66,9 @@ pub(super) fn stock_of_job(
             RunFailure::bad_input(
                 finding
                     .allowed("a table with the columns flank, w_mm, z_mm, um and, where wanted, space")
-                    .way_out("correct the table, or let `flankwright inspect BLANK --job JOB` write one"),
+                    .way_out(
+                        "correct the table, or let `flankwright inspect BLANK --job JOB --blank` write one",
+                    ),
             )
         })?;
         spaces_left_out = table.left_out.left.max(table.left_out.right);

@@ -7,6 +7,7 @@ use grinding_technology::{
     Axes, Axis, Bodies, Optimum, OptimumTask, StockField, TechnologyError, ZoneLimits,
 };
 use machine::Role;
+use std::time::Instant;
 
 /// An axis without a limit, mm or deg, s.
 const FREE: f64 = 1e9;
@@ -24,6 +25,8 @@ pub struct CycleOffers {
     pub on_machine: bool,
     /// Whether dressing is in the times.
     pub with_dressing: bool,
+    /// Seconds that it took to find them.
+    pub seconds: f64,
 }
 
 impl CycleOffers {
@@ -39,6 +42,7 @@ impl CycleOffers {
         let on_machine = axes.is_some();
         let axes = axes.unwrap_or_else(free_axes);
         let clearance = prepared.technology.clearance;
+        let begun = Instant::now();
         let solved = || {
             let wear = task.loads.finishing.zip(task.zone_width);
             let over = |width: f64| dressing_of(prepared, task, width);
@@ -83,7 +87,8 @@ impl CycleOffers {
                 zones,
             }
             .solve(bodies, &axes)?;
-            Ok(Self { stock, optimum, on_machine, with_dressing: wear.is_some() })
+            let seconds = begun.elapsed().as_secs_f64();
+            Ok(Self { stock, optimum, on_machine, with_dressing: wear.is_some(), seconds })
         };
         Some(solved())
     }

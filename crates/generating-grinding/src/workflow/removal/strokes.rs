@@ -5,8 +5,7 @@ use super::{RPM, UM};
 use crate::workflow::prepare::RemovalTask;
 use foundation::geometry::{Flank, Sides};
 use foundation::numerics::equidistant;
-use grinding_technology::{Cycle, Direction, FlankStroke, STATIONS, Sense, StrokeFigures};
-use rayon::prelude::*;
+use grinding_technology::{Cycle, Direction, FlankStroke, Sense, StrokeFigures};
 
 /// Intervals of the removal rate over a stroke.
 const INTERVALS: usize = 60;
@@ -18,8 +17,9 @@ fn over_time(cycle: &Cycle, k: usize) -> [Vec<f64>; 2] {
     let figures = &cycle.strokes[k];
     let [first, last] = figures.contact;
     let at = |i: usize| first + (last - first) * i as f64 / INTERVALS as f64;
-    let time = (0..=INTERVALS).map(|i| (at(i) - first).abs() / figures.feed).collect();
-    [time, (0..=INTERVALS).map(|i| cycle.rate(k, at(i))).collect()]
+    let feeds: Vec<f64> = (0..=INTERVALS).map(at).collect();
+    let time = feeds.iter().map(|v| (v - first).abs() / figures.feed).collect();
+    [time, cycle.rates(k, &feeds)]
 }
 
 /// Figures of the stroke `k`, from 0.
@@ -78,24 +78,12 @@ pub(super) fn stroke_result(cycle: &Cycle, k: usize, task: &RemovalTask) -> Stro
 fn rate_map(cycle: &Cycle, k: usize) -> RateMapResult {
     let [a, b] = cycle.strokes[k].contact;
     let feeds = equidistant([a.min(b), a.max(b)], MAP_FEEDS);
-    let spaces = cycle.stock.different_spaces();
-    let rates = |flank: Flank| -> Vec<Vec<f64>> {
-        let over_feed: Vec<[f64; STATIONS]> = feeds
-            .par_iter()
-            .map(|&v| {
-                let of_space = |space: usize| cycle.specific_rate(k, flank, space, v);
-                let larger = |a: [f64; STATIONS], b: [f64; STATIONS]| std::array::from_fn(|i| a[i].max(b[i]));
-                (0..spaces).map(of_space).fold([0.0; STATIONS], larger)
-            })
-            .collect();
-        (0..STATIONS).map(|i| over_feed.iter().map(|rates| rates[i]).collect()).collect()
-    };
     RateMapResult {
         diameter_mm: Sides::from_fn(|flank| {
             let engagement = &cycle.bodies.flanks[flank];
             engagement.stations().map(|w| 2.0 * engagement.work().radius(w)).to_vec()
         }),
-        specific_rate_mm3_per_mm_s: Sides::from_fn(rates),
+        specific_rate_mm3_per_mm_s: Sides::from_fn(|flank| cycle.largest_specific_rates(k, flank, &feeds)),
         feed_mm: feeds,
     }
 }
