@@ -10,6 +10,8 @@ use rayon::prelude::*;
 /// Intervals along each piece of the profile between breaks, and along the face width.
 const ALONG_PROFILE: usize = 192;
 const ALONG_FACE: usize = 320;
+/// Intervals along each piece of the profile where every space has its own: as many as the rates of a stroke go by.
+const ALONG_PROFILE_OF_EACH: usize = 48;
 
 /// Volume of each space in each band `[low, high]` of height, mm^3: `[band][space]`; one space where all are alike.
 pub(crate) fn volumes(
@@ -19,7 +21,11 @@ pub(crate) fn volumes(
     bands: &[[f64; 2]],
 ) -> Vec<Vec<f64>> {
     // The area's density is linear: constant stock needs no more than its ends.
-    let [along_profile, along_face] = if field.is_constant() { [1, 1] } else { [ALONG_PROFILE, ALONG_FACE] };
+    let [along_profile, along_face] = match (field.is_constant(), field.is_alike()) {
+        (true, _) => [1, 1],
+        (false, true) => [ALONG_PROFILE, ALONG_FACE],
+        (false, false) => [ALONG_PROFILE_OF_EACH, ALONG_FACE],
+    };
     let engagement = &bodies.flanks[flank];
     let half = 0.5 * bodies.face_width;
     let w = rolls(field, bodies, flank, along_profile);

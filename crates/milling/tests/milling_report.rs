@@ -7,8 +7,8 @@ use milling::workflow::{MillingOutcome, OrientationFigures, run_milling};
 use milling::{DensityLimits, DistanceLimits, Lines, Violated};
 use nalgebra::Vector3;
 use report::charts::{
-    ContourMap, Drawing, DrawingLayer, DrawingLook, DrawingNote, MapFrame, MapMark, NamedTopography, Svg,
-    Topography, contour_map_in, drawing,
+    ContourMap, Drawing, DrawingLayer, DrawingLook, DrawingNote, MapFrame, MapMark, MapValues,
+    NamedTopography, Svg, Topography, contour_map_in, drawing,
 };
 use std::sync::OnceLock;
 
@@ -333,7 +333,11 @@ fn a_mark_that_is_nowhere_is_refused() {
         let marks = vec![vec![MapMark { at, text: "worst".into() }]];
         contour_map_in(
             &map,
-            &MapFrame { titles: ["z [mm]".into(), "roll angle [rad]".into()], marks, grounds_only: false },
+            &MapFrame {
+                titles: ["z [mm]".into(), "roll angle [rad]".into()],
+                marks,
+                values: MapValues::Deviation,
+            },
         )
     };
     let svg = marked([0.5, 0.5]).unwrap();

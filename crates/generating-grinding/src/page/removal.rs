@@ -7,8 +7,8 @@ use crate::workflow::removal::{
 use foundation::geometry::{Flank, Sides};
 use report::cells::NONE;
 use report::charts::{
-    ChartError, ContourMap, LineChart, MapFrame, NamedTopography, Panel, Series, Topography, YScale,
-    contour_map_in, format_fixed, format_significant, line_chart,
+    ChartError, ContourMap, LineChart, MapFrame, MapValues, NamedTopography, Panel, Series, Topography,
+    YScale, contour_map_in, format_fixed, format_significant, line_chart,
 };
 use report::{Block, Column, Figure, Quantity, Table};
 
@@ -353,6 +353,9 @@ fn zones(zones: &[ZoneLoadResult]) -> Table {
     }
 }
 
+/// Unit of Q'_w.
+const UNIT: &str = "mm³/(mm s)";
+
 /// Q'_w over flank and feed.
 fn rate_figure(name: &str, k: usize, map: &RateMapResult) -> Result<Figure, ChartError> {
     let panel = |flank: Flank| {
@@ -361,15 +364,15 @@ fn rate_figure(name: &str, k: usize, map: &RateMapResult) -> Result<Figure, Char
         Ok(NamedTopography::new(flank.name(), topography))
     };
     let chart = ContourMap {
-        title: format!("Specific removal rate of stroke {name}"),
-        quantity: "Q'_w [mm³/(mm s)]".to_owned(),
+        title: format!("Specific removal rate Q'_w [mm³/(mm s)], stroke {name}"),
+        quantity: "Q'_w".to_owned(),
         panels: Flank::BOTH.into_iter().map(panel).collect::<Result<_, ChartError>>()?,
         scale: None,
     };
     let frame = MapFrame {
         titles: ["Feed z_V2 [mm]".to_owned(), "Diameter [mm]".to_owned()],
         marks: Vec::new(),
-        grounds_only: false,
+        values: MapValues::Quantity(UNIT.to_owned()),
     };
     Ok(Figure::new(
         &format!("specific-removal-rate-{}", k + 1),

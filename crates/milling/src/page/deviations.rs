@@ -3,8 +3,8 @@
 use super::shown_flank::ShownFlank;
 use crate::workflow::FlankResult;
 use report::charts::{
-    ChartError, ContourMap, LevelScale, LineChart, MapFrame, MapMark, NamedTopography, Panel, Series, Svg,
-    Topography, contour_map_in, format_significant, line_chart,
+    ChartError, ContourMap, LevelScale, LineChart, MapFrame, MapMark, MapValues, NamedTopography, Panel,
+    Series, Svg, Topography, contour_map_in, format_significant, line_chart,
 };
 use report::{Block, Figure, kebab};
 
@@ -95,7 +95,7 @@ fn maps(shown: &ShownFlank<'_>) -> Result<Svg, ChartError> {
     let frame = MapFrame {
         titles: [length, height],
         marks: vec![found, holes(flank, &flank.planned_um)],
-        grounds_only: true,
+        values: MapValues::Waves,
     };
     contour_map_in(&map, &frame)
 }

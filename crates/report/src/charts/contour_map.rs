@@ -30,8 +30,36 @@ pub struct MapFrame {
     pub titles: [String; 2],
     /// Marks of each panel, in the order of the panels; panels beyond have none.
     pub marks: Vec<Vec<MapMark>>,
-    /// Grounds without isolines, hatched below zero: for values that rise and fall many times, between which lines have no room.
-    pub grounds_only: bool,
+    /// What the values are.
+    pub values: MapValues,
+}
+
+/// What a map shows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum MapValues {
+    /// Deviations in um: isolines, hatched where material is left standing.
+    Deviation,
+    /// Deviations in um that rise and fall many times, between which lines have no room: grounds without isolines, hatched below zero.
+    Waves,
+    /// Any other quantity, with its unit: isolines, not hatched.
+    Quantity(String),
+}
+
+impl MapValues {
+    fn heading(&self) -> &'static str {
+        match self {
+            Self::Waves => "dark: far from the wanted flank; hatched: below it (gouge)",
+            Self::Deviation => "isolines: solid > 0, dashed < 0, thick = 0; hatched: material left standing",
+            Self::Quantity(_) => "isolines of equal values, dark: large",
+        }
+    }
+
+    fn unit(&self) -> &str {
+        match self {
+            Self::Waves | Self::Deviation => "µm",
+            Self::Quantity(unit) => unit,
+        }
+    }
 }
 
 /// A place in a map.
@@ -57,7 +85,7 @@ const GAP: f64 = 56.0;
 /// [`ChartError::TooFewValues`] without any panel.
 pub fn contour_map(map: &ContourMap) -> Result<Svg, ChartError> {
     let titles = ["z [mm]".into(), "w [mm]".into()];
-    let frame = MapFrame { titles, marks: Vec::new(), grounds_only: false };
+    let frame = MapFrame { titles, marks: Vec::new(), values: MapValues::Deviation };
     contour_map_in(map, &frame)
 }
 
@@ -73,11 +101,7 @@ pub fn contour_map_in(map: &ContourMap, around: &MapFrame) -> Result<Svg, ChartE
     let scale =
         map.scale.unwrap_or_else(|| LevelScale::covering(map.panels.iter().map(|panel| &panel.topography)));
     let mut canvas = Canvas::new(WIDTH, TOP + PLOT_HEIGHT + 64.0, &map.title);
-    canvas.heading(if around.grounds_only {
-        "dark: far from the wanted flank; hatched: below it (gouge)"
-    } else {
-        "isolines: solid > 0, dashed < 0, thick = 0; hatched: material left standing"
-    });
+    canvas.heading(around.values.heading());
     // Two places even for one panel, so that maps on one page have one size.
     let places = map.panels.len().max(2) as f64;
     let width = (WIDTH - LEFT - BAR_SPACE - GAP * (places - 1.0)) / places;
@@ -89,7 +113,7 @@ pub fn contour_map_in(map: &ContourMap, around: &MapFrame) -> Result<Svg, ChartE
     }
     let end = LEFT + map.panels.len().max(2) as f64 * (width + GAP) - GAP;
     let bar = Frame { left: end + 18.0, top: TOP, width: 16.0, height: PLOT_HEIGHT };
-    draw_colour_bar(&mut canvas, bar, &scale, &map.quantity, around.grounds_only);
+    draw_colour_bar(&mut canvas, bar, &scale, &map.quantity, &around.values);
     Ok(canvas.finish())
 }
 
@@ -110,12 +134,12 @@ fn draw_panel(
     };
     let heading = TextStyle::new(13.0, Anchor::Start).bold();
     canvas.text([frame.left, frame.top - 8.0], &panel.name, heading);
-    draw_bands(canvas, frame, field, scale, (around.grounds_only, &place));
+    draw_bands(canvas, frame, field, scale, (&around.values, &place));
     if scale.is_flat() {
         let centre = [frame.left + 0.5 * frame.width, frame.top + 0.5 * frame.height];
         canvas.text(centre, "0 everywhere", TextStyle::new(13.0, Anchor::Middle));
     }
-    if !around.grounds_only {
+    if around.values != MapValues::Waves {
         draw_isolines(canvas, frame, field, scale, &place);
     }
     let [right, up] = &around.titles;
@@ -127,7 +151,8 @@ fn draw_panel(
     frame.ordinate(canvas, &y_axis);
     frame.ordinate_title(canvas, &y_axis, up, 36.0);
     let (lo, hi) = field.range_um();
-    let text = format!("min {} µm · max {} µm", scale.precise_label(lo), scale.precise_label(hi));
+    let unit = around.values.unit();
+    let text = format!("min {} {unit} · max {} {unit}", scale.precise_label(lo), scale.precise_label(hi));
     let at = [frame.left + 0.5 * frame.width, frame.bottom() + 52.0];
     canvas.text(at, &text, TextStyle::new(TICK_SIZE, Anchor::Middle).muted());
 }
@@ -156,7 +181,7 @@ fn draw_bands(
     frame: Frame,
     field: &Topography,
     scale: &LevelScale,
-    (grounds_only, place): (bool, &impl Fn(Vec<Line>) -> Vec<Line>),
+    (values, place): (&MapValues, &impl Fn(Vec<Line>) -> Vec<Line>),
 ) {
     let edges = scale.edges_um();
     canvas.rect([frame.left, frame.top], [frame.width, frame.height], &signed_color(0.0), None);
@@ -171,14 +196,16 @@ fn draw_bands(
     // A region that exceeds zero by rounding only is not material left standing.
     let (lo, hi) = field.range_um();
     let least = 0.02 * scale.step_um();
-    if grounds_only {
-        if lo < -least {
+    match values {
+        MapValues::Waves if lo < -least => {
             let hatch = hatch_lines(&place(region_above(&field.negated(), least)), 5.0, Lean::Backward);
             canvas.polylines(&hatch, Stroke::solid(INK, 0.7));
         }
-    } else if hi > least {
-        let hatch = hatch_lines(&place(region_above(field, 0.0)), 7.0, Lean::Forward);
-        canvas.polylines(&hatch, Stroke::solid(MUTED, 0.5));
+        MapValues::Deviation if hi > least => {
+            let hatch = hatch_lines(&place(region_above(field, 0.0)), 7.0, Lean::Forward);
+            canvas.polylines(&hatch, Stroke::solid(MUTED, 0.5));
+        }
+        MapValues::Waves | MapValues::Deviation | MapValues::Quantity(_) => {}
     }
 }
 
@@ -282,7 +309,7 @@ fn along(line: &[[f64; 2]], lengths: &[f64], at: f64) -> [f64; 2] {
     line[line.len() - 1]
 }
 
-fn draw_colour_bar(canvas: &mut Canvas, bar: Frame, scale: &LevelScale, quantity: &str, grounds_only: bool) {
+fn draw_colour_bar(canvas: &mut Canvas, bar: Frame, scale: &LevelScale, quantity: &str, values: &MapValues) {
     let edges = scale.edges_um();
     canvas.text([bar.left - 4.0, bar.top - 14.0], quantity, TextStyle::new(TICK_SIZE, Anchor::Start));
     let label = TextStyle::new(11.0, Anchor::Start);
@@ -297,10 +324,15 @@ fn draw_colour_bar(canvas: &mut Canvas, bar: Frame, scale: &LevelScale, quantity
         let middle = 0.5 * (band[0] + band[1]);
         let top = bar.bottom() - (k + 1) as f64 * height;
         canvas.rect([bar.left, top], [bar.width, height], &signed_color(middle / scale.size()), None);
-        if (middle > 0.0) != grounds_only {
+        let hatched = match values {
+            MapValues::Deviation => middle > 0.0,
+            MapValues::Waves => middle <= 0.0,
+            MapValues::Quantity(_) => false,
+        };
+        if hatched {
             let (l, r, t, b) = (bar.left, bar.right(), top, top + height);
             let corners = vec![[l, t], [r, t], [r, b], [l, b], [l, t]];
-            let (pitch, lean, stroke) = if grounds_only {
+            let (pitch, lean, stroke) = if *values == MapValues::Waves {
                 (5.0, Lean::Backward, Stroke::solid(INK, 0.7))
             } else {
                 (7.0, Lean::Forward, Stroke::solid(MUTED, 0.5))

@@ -33,7 +33,7 @@ pub mod topography_net;
 mod worm_occupation;
 
 pub use axis_chart::{AxisChart, AxisChartLimits, axis_chart};
-pub use contour_map::{ContourMap, MapFrame, MapMark, contour_map, contour_map_in};
+pub use contour_map::{ContourMap, MapFrame, MapMark, MapValues, contour_map, contour_map_in};
 pub use contours::region_above;
 pub use drawing::{Drawing, DrawingLayer, DrawingLook, DrawingNote, drawing};
 pub use dressing_section::{

@@ -40,6 +40,7 @@ pub(super) const TEXTS: &[Text] = &[
     ),
     ("0 everywhere", "überall 0"),
     ("min {} µm · max {} µm", "min {} µm · max {} µm"),
+    ("min {n} mm³/(mm s) · max {n} mm³/(mm s)", "min {} mm³/(mm s) · max {} mm³/(mm s)"),
     (
         "dotted: nominal flank; values normal to it, up = material left standing; corner values in µm",
         "punktiert: Nennflanke; Werte normal dazu, nach oben = Material steht; Eckwerte in µm",

@@ -26,7 +26,15 @@ pub(super) const TEXTS: &[Text] = &[
         "Used: by the strokes of the first part. In balance all areas last equally long within the width of the worm.",
         "Genutzt: von den Hüben des ersten Teils. Im Gleichgewicht halten alle Bereiche innerhalb der Schneckenbreite gleich lange.",
     ),
-    ("Specific removal rate of stroke {n} {}", "Bezogenes Zeitspanvolumen, Hub {} {}"),
+    (
+        "Specific removal rate Q'_w [mm³/(mm s)], stroke {n} roughing",
+        "Bezogenes Zeitspanvolumen Q'_w [mm³/(mm s)], Hub {} Schruppen",
+    ),
+    (
+        "Specific removal rate Q'_w [mm³/(mm s)], stroke {n} finishing",
+        "Bezogenes Zeitspanvolumen Q'_w [mm³/(mm s)], Hub {} Schlichten",
+    ),
+    ("isolines of equal values, dark: large", "Linien gleicher Werte, dunkel: groß"),
     ("Feed z_V2 [mm]", "Vorschub z_V2 [mm]"),
     (
         "Per millimetre of the worm's active profile, the largest over the tooth spaces.",
