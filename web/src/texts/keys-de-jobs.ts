@@ -1,6 +1,15 @@
 // German names of the keys of jobs that stand in few tables only.
 
 export const JOB_KEYS_DE: Record<string, string> = {
+  allowances_um: "Abmaße",
+  lower: "Unteres",
+  upper: "Oberes",
+  measured_over: "Gemessen über",
+  ball_diameter: "Kugeldurchmesser",
+  roll_diameter: "Rollendurchmesser",
+  map: "Tabelle",
+  rotation: "Drehsinn",
+  least_overlap: "Kleinster Überdeckungsgrad",
   distribution: "Verteilung",
   samples: "Stichproben",
   seed: "Startwert",
