@@ -2,3 +2,4 @@
 
 mod report;
 mod report_sample;
+mod tmp_left;

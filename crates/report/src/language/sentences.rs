@@ -58,51 +58,151 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| {
     Table { fixed, sentences }
 });
 
-/// A text in German; `None` for one that the table does not know. A capital at its beginning makes it no other text, and a list is known
-/// where all of its members are.
-pub(super) fn german(text: &str) -> Option<String> {
-    let fixed = |text: &str| TABLE.fixed.get(text).map(|german| (*german).to_owned());
-    let by = |table: &dyn Fn(&str) -> Option<String>| table(text).or_else(|| small_letter(text, table));
-    // What is fixed goes before what has holes, for a hole takes anything.
-    by(&fixed)
-        .or_else(|| list(text, &fixed))
-        .or_else(|| by(&sentence))
-        .or_else(|| list(text, &|member: &str| fixed(member).or_else(|| sentence(member))))
+/// A text in German, and what in it stayed English.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Said {
+    pub text: String,
+    pub left: Vec<String>,
 }
 
-/// A text that begins with a capital because it stands at the beginning.
-fn small_letter(text: &str, table: &dyn Fn(&str) -> Option<String>) -> Option<String> {
+impl Said {
+    fn whole(text: impl Into<String>) -> Self {
+        Self { text: text.into(), left: Vec::new() }
+    }
+
+    /// What stands in a hole: in German where the table knows it, else as it is.
+    fn of_hole(text: &str) -> Self {
+        known(text).unwrap_or_else(|| {
+            let left = if has_words(text) { vec![text.to_owned()] } else { Vec::new() };
+            Self { text: text.to_owned(), left }
+        })
+    }
+
+    /// Members joined as they were parted.
+    fn joined(members: Vec<Self>, by: &str) -> Self {
+        let texts: Vec<&str> = members.iter().map(|member| member.text.as_str()).collect();
+        let text = texts.join(by);
+        Self { text, left: members.into_iter().flat_map(|member| member.left).collect() }
+    }
+}
+
+/// Whether a text has words of a language: four letters in a row are no unit and no symbol.
+pub(super) fn has_words(text: &str) -> bool {
+    text.split(|c: char| !c.is_alphabetic()).any(|word| word.chars().count() >= 4)
+}
+
+/// A text in German; `None` for one that the table does not know. A capital at its beginning and the full stop at its end make it no other
+/// text; sentences, clauses and members of a list are known where all of them are.
+pub(super) fn german(text: &str) -> Option<Said> {
+    known(&text.replace(" um", " µm"))
+}
+
+fn known(text: &str) -> Option<Said> {
+    let fixed = |text: &str| TABLE.fixed.get(text).map(|german| Said::whole(*german));
+    // What is fixed goes before what has holes, for a hole takes anything.
+    begun(text, &fixed)
+        .or_else(|| parted(text, ", ", &fixed))
+        .or_else(|| sequence(text))
+        .or_else(|| begun(text, &sentence).filter(|said| said.left.is_empty()))
+        .or_else(|| stopped(text))
+        .or_else(|| clauses(text))
+        .or_else(|| begun(text, &sentence))
+}
+
+/// A text as it is, or with a small letter where a capital stands because it is the beginning of a sentence.
+fn begun(text: &str, table: &dyn Fn(&str) -> Option<Said>) -> Option<Said> {
+    if let Some(said) = table(text) {
+        return Some(said);
+    }
     let mut letters = text.chars();
     let first = letters.next().filter(|c| c.is_uppercase())?;
     let small: String = first.to_lowercase().chain(letters).collect();
-    let german = table(&small)?;
-    let mut letters = german.chars();
+    let said = table(&small)?;
+    let mut letters = said.text.chars();
     let first = letters.next()?;
-    Some(first.to_uppercase().chain(letters).collect())
+    Some(Said { text: first.to_uppercase().chain(letters).collect(), left: said.left })
 }
 
-/// A list with commas whose members a table knows.
-fn list(text: &str, table: &dyn Fn(&str) -> Option<String>) -> Option<String> {
-    let members: Vec<&str> = text.split(", ").collect();
+/// A text of several members whose every one a table knows.
+fn parted(text: &str, by: &str, table: &dyn Fn(&str) -> Option<Said>) -> Option<Said> {
+    let members: Vec<&str> = text.split(by).collect();
     if members.len() < 2 {
         return None;
     }
-    let german: Option<Vec<String>> = members.into_iter().map(table).collect();
-    german.map(|members| members.join(", "))
+    let said: Option<Vec<Said>> = members.into_iter().map(table).collect();
+    said.map(|said| Said::joined(said, by))
 }
 
-/// A text with holes, what stands in them in German too.
-fn sentence(text: &str) -> Option<String> {
-    TABLE.sentences.iter().find_map(|(pattern, sentence)| {
-        let holes = holes(text, pattern)?;
-        let mut said = holes.iter().map(|hole| german(hole).unwrap_or_else(|| (*hole).to_owned()));
-        Some(sentence.split(HOLE).enumerate().fold(String::new(), |mut out, (k, piece)| {
-            if k > 0 {
-                out += &said.next().unwrap_or_default();
+/// Several sentences.
+fn sequence(text: &str) -> Option<Said> {
+    let mut members = Vec::new();
+    let mut rest = text;
+    while let Some(at) = rest.match_indices(". ").map(|(at, _)| at).find(|at| {
+        let next = rest[at + 2..].chars().next();
+        next.is_some_and(char::is_uppercase)
+    }) {
+        members.push(&rest[..=at]);
+        rest = &rest[at + 2..];
+    }
+    members.push(rest);
+    if members.len() < 2 {
+        return None;
+    }
+    let said: Option<Vec<Said>> = members.into_iter().map(whole).collect();
+    said.map(|said| Said::joined(said, " "))
+}
+
+/// A text without the full stop at its end.
+fn stopped(text: &str) -> Option<Said> {
+    let said = whole(text.strip_suffix('.')?)?;
+    Some(Said { text: said.text + ".", ..said })
+}
+
+/// Clauses and lists, and what stands before and behind a colon.
+fn clauses(text: &str) -> Option<Said> {
+    let of_list = |member: &str| {
+        begun(member, &|text| {
+            TABLE.fixed.get(text).map(|german| Said::whole(*german)).or_else(|| sentence(text))
+        })
+        .filter(|said| said.left.is_empty())
+    };
+    let at_colon = || {
+        let (before, after) = text.split_once(": ")?;
+        Some(Said::joined(vec![whole(before)?, whole(after)?], ": "))
+    };
+    parted(text, "; ", &whole).or_else(|| parted(text, ", ", &of_list)).or_else(at_colon)
+}
+
+/// A member of which nothing stays English.
+fn whole(text: &str) -> Option<Said> {
+    if !has_words(text) {
+        return Some(Said::whole(text));
+    }
+    known(text).filter(|said| said.left.is_empty())
+}
+
+/// A text with holes, what stands in them in German too: the longest sentence that leaves nothing English, else the longest one.
+fn sentence(text: &str) -> Option<Said> {
+    let mut first = None;
+    for (pattern, sentence) in &TABLE.sentences {
+        let Some(holes) = holes(text, pattern) else { continue };
+        let mut said = holes.iter().map(|hole| Said::of_hole(hole));
+        let mut found = Said::default();
+        for (k, piece) in sentence.split(HOLE).enumerate() {
+            if k > 0
+                && let Some(hole) = said.next()
+            {
+                found.text += &hole.text;
+                found.left.extend(hole.left);
             }
-            out + piece
-        }))
-    })
+            found.text += piece;
+        }
+        if found.left.is_empty() {
+            return Some(found);
+        }
+        first.get_or_insert(found);
+    }
+    first
 }
 
 /// What stands in the holes between the pieces, none of it empty; `None` for a text of another form.
@@ -150,13 +250,28 @@ mod tests {
 
     #[test]
     fn texts_are_known_at_the_beginning_of_a_sentence_and_in_lists() {
-        assert_eq!(german("Left flank").as_deref(), Some("Linke Flanke"));
-        assert_eq!(german("left flank, right flank").as_deref(), Some("linke Flanke, rechte Flanke"));
+        let said = |text| german(text).map(|said| said.text);
+        assert_eq!(said("Left flank").as_deref(), Some("Linke Flanke"));
+        assert_eq!(said("left flank, right flank").as_deref(), Some("linke Flanke, rechte Flanke"));
         assert_eq!(
-            german("Judged: left flank. Not judged: root.").as_deref(),
+            said("Judged: left flank. Not judged: root.").as_deref(),
             Some("Beurteilt: linke Flanke. Nicht beurteilt: Fuß.")
         );
-        assert_eq!(german("no text of the table, left flank"), None);
+        assert_eq!(
+            said("Left flank. Left flank: right flank.").as_deref(),
+            Some("Linke Flanke. Linke Flanke: rechte Flanke.")
+        );
+        assert_eq!(said("Left flank. Nothing that a table has."), None);
+        assert_eq!(said("no text of the table, left flank"), None);
+    }
+
+    #[test]
+    fn what_stays_english_is_named() {
+        let left = |text| german(text).map(|said| said.left);
+        assert_eq!(left("Judged: left flank."), Some(vec![]));
+        assert_eq!(left("Judged: the moon."), Some(vec!["the moon".into()]));
+        assert_eq!(left("Judged: left flank. Not judged: the moon."), Some(vec!["the moon".into()]));
+        assert_eq!(left("the moon"), None);
     }
 
     #[test]

@@ -4,6 +4,7 @@ use super::figures::characteristic;
 use super::read::ReadPart;
 use super::result::{InspectionSeriesResult, SeriesGroupResult, SeriesPartResult};
 use super::{InspectionSeries, RefusedFile};
+use job::tables::Language;
 use metrology::inspection::{CharacteristicSeries, SeriesPart, SeriesValue, evaluate_parts, ordered};
 use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
@@ -37,6 +38,7 @@ pub(super) fn series_of(read: Vec<Result<ReadPart, RefusedFile>>, class: Option<
         verdict.owe(file.file.clone(), Remark::new("file-refused", text, file.way_out.clone()));
     }
     InspectionSeries {
+        language: Language::default(),
         result: InspectionSeriesResult {
             process: "inspection-series",
             version: env!("CARGO_PKG_VERSION"),

@@ -2,6 +2,7 @@
 //! application.
 
 mod common;
+mod errors;
 mod first_page;
 mod flanks;
 mod gearbox;
@@ -9,9 +10,12 @@ mod grinding;
 mod inspection;
 mod milling;
 mod programs;
+mod remarks;
 mod removal;
 mod scope;
+mod sheet;
 mod skiving;
+mod studies;
 mod tangential;
 mod verification;
 
@@ -33,4 +37,8 @@ pub(super) const TEXTS: &[&[Text]] = &[
     gearbox::TEXTS,
     tangential::TEXTS,
     inspection::TEXTS,
+    studies::TEXTS,
+    sheet::TEXTS,
+    errors::TEXTS,
+    remarks::TEXTS,
 ];
