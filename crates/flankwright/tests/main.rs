@@ -16,6 +16,7 @@ mod measured_parts;
 mod milling_example;
 #[path = "../../nc/tests/peer/mod.rs"]
 mod peer;
+mod plain_names;
 mod programs;
 mod refusals;
 mod scene;

@@ -14,7 +14,9 @@ fn left() {
     for line in all.lines() {
         let (_, text) = line.split_once('\t').unwrap();
         let german = Language::German.say(text);
-        if german != text { said += &format!("{text}\n    {german}\n"); }
+        if german != text {
+            said += &format!("{text}\n    {german}\n");
+        }
     }
     std::fs::write("/tmp/said.txt", said).unwrap();
 }

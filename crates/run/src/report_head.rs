@@ -40,5 +40,5 @@ pub fn report_head(job: JobTitle<'_>, answer: Answer<'_>, files: &[(String, &'st
 pub fn sentence(remark: &Remark) -> String {
     let mut letters = remark.text.chars();
     let first = letters.next().map(|letter| letter.to_uppercase().to_string()).unwrap_or_default();
-    format!("{first}{}.", letters.as_str().replace(" um", " µm"))
+    format!("{first}{}.", letters.as_str().trim_end_matches('.').replace(" um", " µm"))
 }

@@ -180,7 +180,7 @@ pub fn equal_ratio_remark(setup: &GrindingSetup, targets: &Sides<Option<FlankTar
         keys.join(", ")
     };
     let others: Vec<String> =
-        offers[1..].iter().map(|o| format!("{} (ratio {:.6})", set(o), o.diagonal_ratio)).collect();
+        offers[1..].iter().map(|o| format!("{} (ratio {:.6})", o.in_words(), o.diagonal_ratio)).collect();
     let also = if others.is_empty() { String::new() } else { format!("; or {}", others.join("; or ")) };
     let not_dressed = match (&setup.tool, first.lever) {
         (Tool::Dressed(_), "cone_angle") => {
@@ -199,7 +199,7 @@ pub fn equal_ratio_remark(setup: &GrindingSetup, targets: &Sides<Option<FlankTar
              {} lays its lines onto both at {:.6}{also}",
             demanded.left,
             demanded.right,
-            set(first),
+            first.in_words(),
             first.diagonal_ratio
         ),
         way_out: format!("set {}{not_dressed}", set(first)),

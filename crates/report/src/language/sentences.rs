@@ -86,9 +86,16 @@ impl Said {
     }
 }
 
-/// Whether a text has words of a language: four letters in a row are no unit and no symbol.
+/// Whether a text has words of a language: four letters in a row are no unit and no symbol. Names are none: those of files, of keys, and
+/// those of passes, which programs have in capitals.
 pub(super) fn has_words(text: &str) -> bool {
-    text.split(|c: char| !c.is_alphabetic()).any(|word| word.chars().count() >= 4)
+    let is_name = |token: &str| {
+        let token = token.trim_end_matches(['.', ',', ';', ':', ')']);
+        token.contains(['.', '/', '_', '`']) || !token.chars().any(char::is_lowercase)
+    };
+    text.split_whitespace()
+        .filter(|token| !is_name(token))
+        .any(|token| token.split(|c: char| !c.is_alphabetic()).any(|word| word.chars().count() >= 4))
 }
 
 /// A text in German; `None` for one that the table does not know. A capital at its beginning and the full stop at its end make it no other
@@ -139,7 +146,7 @@ fn sequence(text: &str) -> Option<Said> {
     let mut rest = text;
     while let Some(at) = rest.match_indices(". ").map(|(at, _)| at).find(|at| {
         let next = rest[at + 2..].chars().next();
-        next.is_some_and(char::is_uppercase)
+        next.is_some_and(|c| c.is_uppercase() || c.is_ascii_digit())
     }) {
         members.push(&rest[..=at]);
         rest = &rest[at + 2..];
@@ -160,17 +167,48 @@ fn stopped(text: &str) -> Option<Said> {
 
 /// Clauses and lists, and what stands before and behind a colon.
 fn clauses(text: &str) -> Option<Said> {
-    let of_list = |member: &str| {
-        begun(member, &|text| {
-            TABLE.fixed.get(text).map(|german| Said::whole(*german)).or_else(|| sentence(text))
-        })
-        .filter(|said| said.left.is_empty())
-    };
     let at_colon = || {
         let (before, after) = text.split_once(": ")?;
         Some(Said::joined(vec![whole(before)?, whole(after)?], ": "))
     };
-    parted(text, "; ", &whole).or_else(|| parted(text, ", ", &of_list)).or_else(at_colon)
+    let with_unit = || {
+        let (before, unit) = text.strip_suffix(']')?.rsplit_once(" [")?;
+        Some(Said { text: format!("{} [{unit}]", whole(before)?.text), left: Vec::new() })
+    };
+    parted(text, "; ", &whole).or_else(|| list(text)).or_else(at_colon).or_else(with_unit)
+}
+
+/// A list whose members may have commas themselves: from its beginning on, the shortest members that the table knows.
+fn list(text: &str) -> Option<Said> {
+    let commas: Vec<usize> = text.match_indices(", ").map(|(at, _)| at).collect();
+    let member = |text: &str| {
+        let fixed = |text: &str| TABLE.fixed.get(text).map(|german| Said::whole(*german));
+        let known =
+            || begun(text, &fixed).or_else(|| begun(text, &sentence)).filter(|said| said.left.is_empty());
+        let at_colon = || {
+            let (before, after) = text.split_once(": ")?;
+            Some(Said::joined(vec![whole(before)?, begun(after, &fixed)?], ": "))
+        };
+        if has_words(text) { known().or_else(at_colon) } else { Some(Said::whole(text)) }
+    };
+    // What the rest of the list from a place on is, by the place.
+    let mut from_place: Vec<Option<Said>> = vec![None; commas.len() + 2];
+    from_place[commas.len() + 1] = Some(Said::default());
+    let starts: Vec<usize> = std::iter::once(0).chain(commas.iter().map(|at| at + 2)).collect();
+    for k in (0..starts.len()).rev() {
+        from_place[k] = (k..starts.len()).find_map(|last| {
+            let rest = from_place[last + 1].clone()?;
+            if k == 0 && last + 1 == starts.len() {
+                // The whole text is no list.
+                return None;
+            }
+            let end = commas.get(last).copied().unwrap_or(text.len());
+            let said = member(&text[starts[k]..end])?;
+            let members = if last + 1 == starts.len() { vec![said] } else { vec![said, rest] };
+            Some(Said::joined(members, ", "))
+        });
+    }
+    from_place.swap_remove(0)
 }
 
 /// A member of which nothing stays English.
@@ -262,6 +300,13 @@ mod tests {
             Some("Linke Flanke. Linke Flanke: rechte Flanke.")
         );
         assert_eq!(said("Left flank. Nothing that a table has."), None);
+        let items =
+            "left flank, retraction and rapids against clamping and parts of the machine, right flank";
+        assert_eq!(
+            said(items).as_deref(),
+            Some("linke Flanke, Rückzug und Eilgang gegen Spannmittel und Teile der Maschine, rechte Flanke")
+        );
+        assert_eq!(said("left flank, something that no table has, right flank"), None);
         assert_eq!(said("no text of the table, left flank"), None);
     }
 

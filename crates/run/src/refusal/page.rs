@@ -74,7 +74,7 @@ fn body_tables(bodies: &DerivedGeometry) -> Vec<Table> {
     let text = |value: &Value| match value {
         Value::String(word) => word.clone(),
         Value::Number(number) if number.is_f64() => {
-            number.as_f64().map_or_else(String::new, |x| format_significant(x, 7))
+            number.as_f64().map_or_else(String::new, |x| format_significant(x, 6))
         }
         other => other.to_string(),
     };

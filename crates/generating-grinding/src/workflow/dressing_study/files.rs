@@ -247,7 +247,7 @@ pub fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
                     &QUANTITIES[..5],
                 )?,
                 "Three-point method with the radius map: ends and middle of the profile are met, the dresser radius made for the \
-                 largest length of roll stays there. v_zS lets the contact line pass through the middle of the profile at worm z = 0.",
+                 largest length of roll stays there. By v_zS the contact line passes through the middle of the profile at worm z = 0.",
             );
             figure(
                 "Profile",
@@ -264,7 +264,7 @@ pub fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
                 "dressed-profile",
                 profile_chart(curves)?,
                 "Each point belongs to one radius of the dresser, the same radii in all curves; the shift is how far its point on the worm \
-                 lies from the one it was made for. b is the worm z of the contact.",
+                 lies from the one it was made for. Here b is the worm z of the contact.",
             );
             profile_figures(curves)
         }

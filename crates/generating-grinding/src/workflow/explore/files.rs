@@ -188,8 +188,8 @@ pub fn page(outcome: &ExploreOutcome) -> Result<PlanReport, ChartError> {
     let figures = best.map_or_else(Vec::new, |c| {
         vec![
             Fact::new("Cone angle", format!("{}°", format_significant(c.worm_cone_angle_deg, 6))),
-            Fact::new("Crossed-axes angle", format!("{}°", figure_text(c.crossed_axes_angle_deg, 7))),
-            Fact::new("Diagonal ratio", figure_text(c.diagonal_ratio, 7)),
+            Fact::new("Crossed-axes angle", format!("{}°", figure_text(c.crossed_axes_angle_deg, 6))),
+            Fact::new("Diagonal ratio", figure_text(c.diagonal_ratio, 6)),
             Fact::new("Residual", format!("{} µm", figure_text(c.residual_um, 3))),
             Fact::new("Worm used", format!("{} mm", figure_text(c.worm_occupation_mm, 4))),
         ]
@@ -233,8 +233,8 @@ fn ranking(outcome: &ExploreOutcome) -> Table {
         vec![
             c.rank.to_string(),
             format_significant(c.worm_cone_angle_deg, 6),
-            figure_text(c.crossed_axes_angle_deg, 7),
-            figure_text(c.diagonal_ratio, 7),
+            figure_text(c.crossed_axes_angle_deg, 6),
+            figure_text(c.diagonal_ratio, 6),
             figure_text(c.residual_um, 4),
             figure_text(c.score, 3),
             figure_text(c.worm_occupation_mm, 5),

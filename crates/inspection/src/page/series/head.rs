@@ -47,7 +47,7 @@ pub(super) fn head(series: &InspectionSeries) -> ReportHead {
         files.push(("sheets/".into(), "the inspection sheet of every part".into()));
     }
     let refused = |file: &RefusedFile| Warning {
-        text: format!("{}: not evaluated: {} [{}]", file.file, file.message, file.code),
+        text: format!("{}: not evaluated: {}", file.file, file.message),
         way_out: file.way_out.clone(),
     };
     let left_out = |file: &LeftOutFile| Warning {

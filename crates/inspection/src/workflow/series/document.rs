@@ -1,5 +1,6 @@
 //! Brings the parts of a series into groups and order, evaluates each group, names the sheets.
 
+use super::super::characteristic_in_words;
 use super::figures::characteristic;
 use super::read::ReadPart;
 use super::result::{InspectionSeriesResult, SeriesGroupResult, SeriesPartResult};
@@ -105,7 +106,10 @@ fn judge_part(verdict: &mut Verdict, item: &str, part: &SeriesPart, exceeded: &[
     match (own.reason(), own.status()) {
         (Some(reason), Status::Missed) => verdict.missed(item, reason.text.clone(), named(reason)),
         _ if !exceeded.is_empty() => {
-            let beyond = format!("beyond their limits: {}", exceeded.join(", "));
+            let beyond = format!(
+                "beyond their limits: {}",
+                exceeded.iter().map(|key| characteristic_in_words(key)).collect::<Vec<_>>().join(", ")
+            );
             let way_out = "see the sheet of the part, and the trends of these characteristics";
             verdict.missed(
                 item,

@@ -3,6 +3,7 @@
 
 mod common;
 mod errors;
+mod explained;
 mod first_page;
 mod flanks;
 mod gearbox;
@@ -41,4 +42,5 @@ pub(super) const TEXTS: &[&[Text]] = &[
     sheet::TEXTS,
     errors::TEXTS,
     remarks::TEXTS,
+    explained::TEXTS,
 ];

@@ -225,8 +225,8 @@ pub(super) const TEXTS: &[Text] = &[
         "Eine Grenze gibt den Index ihrer Seite und kein Cp.",
     ),
     (
-        "outside: share beyond the limits if the values follow a normal law; largest values and ranges seldom do.",
-        "außerhalb: Anteil jenseits der Grenzen, wenn die Werte normalverteilt sind; größte Werte und Spannen sind es selten.",
+        "Outside: share beyond the limits if the values follow a normal law; largest values and ranges seldom do.",
+        "Außerhalb: Anteil jenseits der Grenzen, wenn die Werte normalverteilt sind; größte Werte und Spannen sind es selten.",
     ),
     ("change", "Änderung"),
     ("per part", "je Teil"),
@@ -268,6 +268,22 @@ pub(super) const TEXTS: &[Text] = &[
     ("{}: not evaluated: {}", "{}: nicht ausgewertet: {}"),
     ("{}: not evaluated, {}", "{}: nicht ausgewertet, {}"),
     ("{}: left out: {}", "{}: weggelassen: {}"),
+    (
+        "beyond 3 sigma of the moving range: something was different with this part (Shewhart; Western Electric rule 1)",
+        "jenseits von 3 Sigma der gleitenden Spannweite: An diesem Teil war etwas anders (Shewhart; Western-Electric-Regel 1)",
+    ),
+    (
+        "two of three parts in a row beyond 2 sigma on one side: the level has probably shifted (Western Electric rule 2)",
+        "zwei von drei Teilen in Folge jenseits von 2 Sigma auf einer Seite: Das Niveau hat sich wahrscheinlich verschoben (Western-Electric-Regel 2)",
+    ),
+    (
+        "nine or more parts in a row on one side of the mean: the level has shifted (Nelson test 2)",
+        "neun oder mehr Teile in Folge auf einer Seite des Mittels: Das Niveau hat sich verschoben (Nelson-Test 2)",
+    ),
+    (
+        "six or more parts in a row rise or fall steadily: a drift (Nelson test 3)",
+        "sechs oder mehr Teile in Folge steigen oder fallen stetig: eine Drift (Nelson-Test 3)",
+    ),
     ("no capability: all parts are equal", "keine Fähigkeit: alle Teile sind gleich"),
     (
         "the level is not constant: Cp and Cpk describe these parts, they do not foretell others",

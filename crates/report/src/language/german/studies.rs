@@ -100,9 +100,16 @@ pub(super) const TEXTS: &[Text] = &[
     ("Limits", "Grenzen"),
     ("Land", "Kopfbreite"),
     ("Best", "Bester"),
+    ("Of two flanks the larger value.", "Von zwei Flanken der größere Wert."),
+    ("Limit: largest share of an axis limit.", "Grenze: größter Anteil einer Achsgrenze."),
+    ("Error: largest distance from the wanted profile.", "Fehler: größter Abstand vom verlangten Profil."),
     (
-        "Of two flanks the larger value. Limit: largest share of an axis limit. Error: largest distance from the wanted profile. Land: largest tip land that clears the opposite flank. To: pitch diameter down to which the pair makes the profile.",
-        "Von zwei Flanken der größere Wert. Grenze: größter Anteil einer Achsgrenze. Fehler: größter Abstand vom verlangten Profil. Kopfbreite: größte, die von der Gegenflanke freibleibt. bis: Teilkreisdurchmesser, bis zu dem das Paar das Profil erzeugt.",
+        "Land: largest tip land that clears the opposite flank.",
+        "Kopfbreite: größte, die von der Gegenflanke freibleibt.",
+    ),
+    (
+        "To: pitch diameter down to which the pair makes the profile.",
+        "Bis: Teilkreisdurchmesser, bis zu dem das Paar das Profil erzeugt.",
     ),
     ("tip land, where the catalogue states none", "Kopfbreite, wo der Katalog keine angibt"),
     ("distance from the opposite flank", "Abstand von der Gegenflanke"),
@@ -154,8 +161,8 @@ pub(super) const TEXTS: &[Text] = &[
         "Drei-Punkte-Verfahren mit der Radienzuordnung: Enden und Mitte des Profils sind getroffen, der für die größte Wälzlänge ausgelegte Abrichterradius bleibt dort.",
     ),
     (
-        "v_zS lets the contact line pass through the middle of the profile at worm z = 0.",
-        "v_zS führt die Berührlinie bei z = 0 der Schnecke durch die Mitte des Profils.",
+        "By v_zS the contact line passes through the middle of the profile at worm z = 0.",
+        "Mit v_zS geht die Berührlinie bei z = 0 der Schnecke durch die Mitte des Profils.",
     ),
     ("Profile stretch, contact line and deviation", "Streckung, Berührlinie und Abweichung des Profils"),
     (
@@ -169,7 +176,7 @@ pub(super) const TEXTS: &[Text] = &[
         "Each point belongs to one radius of the dresser, the same radii in all curves; the shift is how far its point on the worm lies from the one it was made for.",
         "Jeder Punkt gehört zu einem Radius des Abrichters, in allen Kurven zu denselben; die Verschiebung ist, wie weit sein Punkt auf der Schnecke von dem liegt, für den er ausgelegt ist.",
     ),
-    ("b is the worm z of the contact.", "b ist das z der Berührung auf der Schnecke."),
+    ("Here b is the worm z of the contact.", "Dabei ist b das z der Berührung auf der Schnecke."),
     ("length of roll on the worm w_FS [mm]", "Wälzlänge an der Schnecke w_FS [mm]"),
     ("normal modification f_nFS [µm]", "Modifikation normal f_nFS [µm]"),
     ("shift of the point on the worm [mm]", "Verschiebung des Punkts auf der Schnecke [mm]"),
