@@ -40,7 +40,9 @@ function room(page) {
 
 /** Sheets of paper that the first page takes by itself. */
 async function sheets(page) {
-  await page.addStyleTag({ content: "main > :not(.first) { display: none !important; } .first { break-after: auto !important; }" });
+  await page.addStyleTag({
+    content: "main > :not(.first) { display: none !important; } .first { break-after: auto !important; }",
+  });
   const pdf = (await page.pdf({ preferCSSPageSize: true })).toString("latin1");
   return pdf.match(/\/Type\s*\/Page\b/g).length;
 }

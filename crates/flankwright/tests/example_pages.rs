@@ -19,7 +19,7 @@ const SILENT: &dyn Progress = &Silent;
 pub struct ExamplePage {
     /// Path below `examples/`, with what was made of it where that is not its plan.
     pub name: String,
-    /// The text of its job; empty for a page that has none.
+    /// The text of its job, or what its files say; empty for a page that has neither.
     pub job: String,
     /// The page, in English.
     pub page: PlanReport,
@@ -172,5 +172,7 @@ fn series(class: Option<i32>) -> ExamplePage {
     let Ok(parts) = measured_parts_in(folder.path()) else { panic!("no parts") };
     let Ok(series) = inspect_series(&parts.parts, &options) else { panic!("no series") };
     let page = inspection::page::series::series_page(&series).unwrap();
-    ExamplePage { name: format!("a series of class {class:?}"), job: String::new(), page }
+    // The names of the parts are those of their files.
+    let job = (0..12).map(|k| format!("part {k} ")).collect();
+    ExamplePage { name: format!("a series of class {class:?}"), job, page }
 }

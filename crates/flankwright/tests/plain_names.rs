@@ -28,7 +28,7 @@ fn shown(page: &str) -> Vec<Shown> {
         match inside.split([' ', '/']).find(|part| !part.is_empty()).unwrap_or_default() {
             "sub" | "tspan" if inside.starts_with('/') => text.push('}'),
             "sub" | "tspan" => text += "_{",
-            "i" | "b" | "span" => {}
+            "i" | "b" => {}
             _ => {
                 let found = unescaped(&std::mem::take(&mut text));
                 if !found.trim().is_empty() {
@@ -77,6 +77,12 @@ fn strings(job: &str) -> Vec<String> {
     quoted.map(|text| text.replace('_', " ")).filter(|text| !text.trim().is_empty()).collect()
 }
 
+/// Whether a word is a symbol with its index. The title of a picture, which has no markup, writes it with an underscore.
+fn is_symbol(word: &str) -> bool {
+    let Some((symbol, index)) = word.split_once('_') else { return false };
+    (1..=2).contains(&symbol.chars().count()) && (1..=4).contains(&index.chars().count())
+}
+
 /// What is wrong with a text of a page, if anything.
 fn fault(shown: &Shown, said: &[String]) -> Option<&'static str> {
     // The name of the job, its description and its title block.
@@ -95,7 +101,8 @@ fn fault(shown: &Shown, said: &[String]) -> Option<&'static str> {
         if is_file(&bare) || said.iter().any(|text| text.contains(&bare.replace('_', " "))) {
             continue;
         }
-        if bare.contains('_') {
+        let in_title = shown.tag == "title" && is_symbol(&bare);
+        if bare.contains('_') && !in_title {
             return Some("a key with an underscore");
         }
         let dotted = bare.split_once('.').is_some_and(|(before, after)| {
@@ -110,7 +117,9 @@ fn fault(shown: &Shown, said: &[String]) -> Option<&'static str> {
     for pair in assigned.windows(2) {
         let name = pair[0].rsplit(' ').next().unwrap_or_default();
         let is_word = name.len() >= 4 && name.bytes().all(|b| b.is_ascii_lowercase());
-        if is_word && pair[1].starts_with(|c: char| c.is_ascii_digit() || c == '-') {
+        let value =
+            pair[1].split(|c: char| !(c.is_ascii_digit() || ".-".contains(c))).next().unwrap_or_default();
+        if is_word && value.contains('.') {
             return Some("a key with its value");
         }
     }

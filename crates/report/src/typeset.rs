@@ -42,9 +42,15 @@ impl Setter {
     /// Text with symbols, whose indices stand below the line.
     pub(super) fn symbols(self, text: &str) -> String {
         let said = self.0.say(text);
-        let set = |(piece, below): (String, bool)| {
-            let piece = escape(&piece);
-            if below { format!("<sub>{piece}</sub>") } else { piece }
+        let set = |(piece, below): (String, bool)| match below {
+            true => format!("<sub>{}</sub>", escape(&piece)),
+            false => {
+                let word = |word: &str| {
+                    let bare = word.trim_end_matches(' ');
+                    symbols(bare) + &word[bare.len()..]
+                };
+                piece.split_inclusive(' ').map(word).collect()
+            }
         };
         indices(&said).into_iter().map(set).collect()
     }
@@ -78,6 +84,9 @@ pub fn unit(text: &str) -> Cow<'_, str> {
 /// Escaped text: a number's `um` and `deg` as µm and °, symbols with their indices. What stands in quotes of any kind, in keys and in names
 /// of files stays as it is.
 pub(super) fn typeset(text: &str) -> String {
+    if let "um" | "deg" | "urad" = text {
+        return unit(text).into_owned();
+    }
     let mut page = String::with_capacity(text.len() + 16);
     let mut before: Option<&str> = None;
     // Spaces stay with the word that they follow, so that all of them are kept.
@@ -140,7 +149,7 @@ fn rounded(text: &str) -> Cow<'_, str> {
 
 /// Whether a word ends with a digit, so that a unit may follow.
 fn ends_a_number(word: &str) -> bool {
-    word.ends_with(|c: char| c.is_ascii_digit())
+    word.ends_with(|c: char| c.is_ascii_digit() || "⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c))
 }
 
 /// What may follow a unit: nothing, a mark of a sentence, or a further unit below the line.
@@ -164,7 +173,7 @@ fn symbols(word: &str) -> String {
 
 /// A symbol with its index, `F_α` or `Δv_yA`: one or two letters before the underscore. Columns of files, such as `w_mm`, are none.
 fn with_index(word: &str) -> Option<String> {
-    const UNITS: [&str; 5] = ["mm", "um", "deg", "s", "um2"];
+    const UNITS: [&str; 3] = ["mm", "um", "deg"];
     let (start, rest) = word.split_once('_')?;
     let letters = start.trim_start_matches(['(', '|', '±', 'Δ']).trim_end_matches('\'');
     let end = rest.find(|c: char| !c.is_alphanumeric()).unwrap_or(rest.len());
@@ -199,7 +208,8 @@ mod tests {
     fn units_of_numbers_are_printed() {
         assert_eq!(typeset("at most 1.5 um, 3 um."), "at most 1.5 µm, 3 µm.");
         assert_eq!(typeset("turns 18.16 deg along, 90 deg/s (0.5 deg)"), "turns 18.16° along, 90°/s (0.5°)");
-        assert_eq!(typeset("5.2 of 4.5 um"), "5.2 of 4.5 µm");
+        assert_eq!(typeset("5.2 of 4.5 um, 1.5·10⁻¹¹ um"), "5.2 of 4.5 µm, 1.5·10⁻¹¹ µm");
+        assert_eq!(typeset("deg"), "°");
         assert_eq!(typeset("2  um  wide "), "2  µm  wide ");
     }
 

@@ -2,4 +2,3 @@
 
 mod report;
 mod report_sample;
-mod tmp_left;

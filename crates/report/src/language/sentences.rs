@@ -109,10 +109,14 @@ fn known(text: &str) -> Option<Said> {
     // What is fixed goes before what has holes, for a hole takes anything.
     begun(text, &fixed)
         .or_else(|| parted(text, ", ", &fixed))
-        .or_else(|| sequence(text))
+        .or_else(|| sequence(text, &whole))
         .or_else(|| begun(text, &sentence).filter(|said| said.left.is_empty()))
-        .or_else(|| stopped(text))
-        .or_else(|| clauses(text))
+        .or_else(|| stopped(text, &whole))
+        .or_else(|| clauses(text, &whole))
+        // Names in the holes of members stay as they are.
+        .or_else(|| sequence(text, &known_or_wordless))
+        .or_else(|| stopped(text, &known_or_wordless))
+        .or_else(|| clauses(text, &known_or_wordless))
         .or_else(|| begun(text, &sentence))
 }
 
@@ -140,8 +144,11 @@ fn parted(text: &str, by: &str, table: &dyn Fn(&str) -> Option<Said>) -> Option<
     said.map(|said| Said::joined(said, by))
 }
 
+/// How a member is said.
+type Member<'a> = &'a dyn Fn(&str) -> Option<Said>;
+
 /// Several sentences.
-fn sequence(text: &str) -> Option<Said> {
+fn sequence(text: &str, member: Member<'_>) -> Option<Said> {
     let mut members = Vec::new();
     let mut rest = text;
     while let Some(at) = rest.match_indices(". ").map(|(at, _)| at).find(|at| {
@@ -155,27 +162,28 @@ fn sequence(text: &str) -> Option<Said> {
     if members.len() < 2 {
         return None;
     }
-    let said: Option<Vec<Said>> = members.into_iter().map(whole).collect();
+    let said: Option<Vec<Said>> = members.into_iter().map(member).collect();
     said.map(|said| Said::joined(said, " "))
 }
 
 /// A text without the full stop at its end.
-fn stopped(text: &str) -> Option<Said> {
-    let said = whole(text.strip_suffix('.')?)?;
+fn stopped(text: &str, member: Member<'_>) -> Option<Said> {
+    let said = member(text.strip_suffix('.')?)?;
     Some(Said { text: said.text + ".", ..said })
 }
 
 /// Clauses and lists, and what stands before and behind a colon.
-fn clauses(text: &str) -> Option<Said> {
+fn clauses(text: &str, member: Member<'_>) -> Option<Said> {
     let at_colon = || {
         let (before, after) = text.split_once(": ")?;
-        Some(Said::joined(vec![whole(before)?, whole(after)?], ": "))
+        Some(Said::joined(vec![member(before)?, member(after)?], ": "))
     };
     let with_unit = || {
         let (before, unit) = text.strip_suffix(']')?.rsplit_once(" [")?;
-        Some(Said { text: format!("{} [{unit}]", whole(before)?.text), left: Vec::new() })
+        let said = member(before)?;
+        Some(Said { text: format!("{} [{unit}]", said.text), left: said.left })
     };
-    parted(text, "; ", &whole).or_else(|| list(text)).or_else(at_colon).or_else(with_unit)
+    parted(text, "; ", member).or_else(|| list(text)).or_else(at_colon).or_else(with_unit)
 }
 
 /// A list whose members may have commas themselves: from its beginning on, the shortest members that the table knows.
@@ -209,6 +217,11 @@ fn list(text: &str) -> Option<Said> {
         });
     }
     from_place.swap_remove(0)
+}
+
+/// A member whose names stay as they are.
+fn known_or_wordless(text: &str) -> Option<Said> {
+    if has_words(text) { known(text) } else { Some(Said::whole(text)) }
 }
 
 /// A member of which nothing stays English.

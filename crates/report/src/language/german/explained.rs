@@ -206,8 +206,8 @@ pub(super) const TEXTS: &[Text] = &[
         "{} Eilgänge von Werkzeug, Schaft und Halter gegen das stehende Aufmaß, alle {} mm",
     ),
     (
-        "all moves of tool, shank, holder and spindle against {}: {n} mm apart or more ({})",
-        "alle Wege von Werkzeug, Schaft, Halter und Spindel gegen {}: mindestens {} mm auseinander ({})",
+        "all moves of tool, shank, holder and spindle against {}: {n} mm apart or more (edges of tool {n} and {}, block {n}), {n} mm are kept",
+        "alle Wege von Werkzeug, Schaft, Halter und Spindel gegen {}: mindestens {} mm auseinander (Schneiden von Werkzeug {} und {}, Satz {}), eingehalten sind {} mm",
     ),
     ("not covered", "nicht umfasst"),
     ("nothing is wrong", "nichts ist falsch"),
