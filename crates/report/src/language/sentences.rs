@@ -86,6 +86,9 @@ impl Said {
     }
 }
 
+/// English words of less than four letters that stand between numbers.
+const SHORT: [&str; 12] = ["of", "to", "at", "by", "on", "and", "per", "or", "the", "for", "is", "in"];
+
 /// Whether a text has words of a language: four letters in a row are no unit and no symbol. Names are none: those of files, of keys, and
 /// those of passes, which programs have in capitals.
 pub(super) fn has_words(text: &str) -> bool {
@@ -93,9 +96,10 @@ pub(super) fn has_words(text: &str) -> bool {
         let token = token.trim_end_matches(['.', ',', ';', ':', ')']);
         token.contains(['.', '/', '_', '`']) || !token.chars().any(char::is_lowercase)
     };
+    let is_word = |word: &str| word.chars().count() >= 4 || SHORT.contains(&word);
     text.split_whitespace()
         .filter(|token| !is_name(token))
-        .any(|token| token.split(|c: char| !c.is_alphabetic()).any(|word| word.chars().count() >= 4))
+        .any(|token| token.split(|c: char| !c.is_alphabetic()).any(is_word))
 }
 
 /// A text in German; `None` for one that the table does not know. A capital at its beginning and the full stop at its end make it no other
@@ -183,7 +187,11 @@ fn clauses(text: &str, member: Member<'_>) -> Option<Said> {
         let said = member(before)?;
         Some(Said { text: format!("{} [{unit}]", said.text), left: said.left })
     };
-    parted(text, "; ", member).or_else(|| list(text)).or_else(at_colon).or_else(with_unit)
+    let with_and = || {
+        let said = parted(text, " and ", member)?;
+        Some(Said { text: said.text.replace(" and ", " und "), left: said.left })
+    };
+    parted(text, "; ", member).or_else(|| list(text)).or_else(at_colon).or_else(with_unit).or_else(with_and)
 }
 
 /// A list whose members may have commas themselves: from its beginning on, the shortest members that the table knows.
@@ -197,7 +205,7 @@ fn list(text: &str) -> Option<Said> {
             let (before, after) = text.split_once(": ")?;
             Some(Said::joined(vec![whole(before)?, begun(after, &fixed)?], ": "))
         };
-        if has_words(text) { known().or_else(at_colon) } else { Some(Said::whole(text)) }
+        known().or_else(at_colon).or_else(|| (!has_words(text)).then(|| Said::whole(text)))
     };
     // What the rest of the list from a place on is, by the place.
     let mut from_place: Vec<Option<Said>> = vec![None; commas.len() + 2];
@@ -221,15 +229,12 @@ fn list(text: &str) -> Option<Said> {
 
 /// A member whose names stay as they are.
 fn known_or_wordless(text: &str) -> Option<Said> {
-    if has_words(text) { known(text) } else { Some(Said::whole(text)) }
+    known(text).or_else(|| (!has_words(text)).then(|| Said::whole(text)))
 }
 
 /// A member of which nothing stays English.
 fn whole(text: &str) -> Option<Said> {
-    if !has_words(text) {
-        return Some(Said::whole(text));
-    }
-    known(text).filter(|said| said.left.is_empty())
+    known_or_wordless(text).filter(|said| said.left.is_empty())
 }
 
 /// A text with holes, what stands in them in German too: the longest sentence that leaves nothing English, else the longest one.

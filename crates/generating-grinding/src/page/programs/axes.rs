@@ -29,7 +29,10 @@ pub(super) fn axis_table(station: &Station<'_>) -> Table {
             listed(&reversed)
         ));
     }
-    let at = |r: &Resting| format!("{} at {} {}", r.axis, format_fixed(r.at, 4), unit(r.unit));
+    let at = |r: &Resting| match r.unit {
+        "deg" => format!("{} at {}°", r.axis, format_fixed(r.at, 4)),
+        unit => format!("{} at {} {unit}", r.axis, format_fixed(r.at, 4)),
+    };
     if !station.resting.is_empty() {
         notes.push(format!(
             "Standing still: {}.",

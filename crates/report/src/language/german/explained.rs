@@ -3,10 +3,9 @@
 use super::Text;
 
 pub(super) const TEXTS: &[Text] = &[
-    ("linuxcnc and fanuc", "linuxcnc und fanuc"),
-    ("siemens and fanuc", "siemens und fanuc"),
-    ("linuxcnc, siemens and fanuc", "linuxcnc, siemens und fanuc"),
-    ("linuxcnc and siemens", "linuxcnc und siemens"),
+    ("{} {n} of {n} µm", "{} {} von {} µm"),
+    ("{n} of {n}", "{} von {}"),
+    ("{n} to {n} µm", "{} bis {} µm"),
     // The ratio.
     ("Diagonal ratio K = {n}.", "Diagonalverhältnis K = {}."),
     ("Given in the job.", "Im Auftrag angegeben."),
@@ -166,6 +165,8 @@ pub(super) const TEXTS: &[Text] = &[
         "raise chord_tolerance_um of the control for fewer blocks, or lower the speed",
         "chord_tolerance_um der Steuerung erhöhen, damit es weniger Sätze sind, oder die Geschwindigkeit senken",
     ),
+    ("{} at {n}°", "{} bei {}°"),
+    ("{} at {n} mm", "{} bei {} mm"),
     ("{} (spindle {n}) at {n} 1/min", "{} (Spindel {}) mit {} 1/min"),
     ("spindle {n}", "Spindel {}"),
     ("{}, tilt", "{}, Neigen"),
