@@ -19,7 +19,7 @@ const SILENT: &dyn Progress = &Silent;
 pub struct ExamplePage {
     /// Path below `examples/`, with what was made of it where that is not its plan.
     pub name: String,
-    /// The text of its job, or what its files say; empty for a page that has neither.
+    /// The text of its job with the names of machines, or what its files say; empty for a page that has neither.
     pub job: String,
     /// The page, in English.
     pub page: PlanReport,
@@ -61,6 +61,16 @@ fn examples() -> Vec<PathBuf> {
     found
 }
 
+/// The names of the machines that jobs may name.
+fn machines() -> String {
+    let folder = folder().join("../machines");
+    let files = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let texts = files.filter_map(|file| std::fs::read_to_string(file.ok()?.path()).ok());
+    texts
+        .map(|text| text.lines().filter(|line| line.starts_with("name =")).collect::<Vec<_>>().join("\n"))
+        .collect()
+}
+
 /// Whether a file is a job: bodies of a catalogue are not.
 fn is_job(path: &Path) -> bool {
     std::fs::read_to_string(path).is_ok_and(|text| text.contains("[job]"))
@@ -74,7 +84,7 @@ pub fn files() -> Vec<(String, &'static str)> {
 fn of_example(path: &Path) -> Vec<ExamplePage> {
     let name = path.strip_prefix(folder()).expect("an example").to_string_lossy().into_owned();
     let job = read_any_job(path).unwrap_or_else(|error| panic!("{name}: {error}"));
-    let text = std::fs::read_to_string(path).expect("an example");
+    let text = std::fs::read_to_string(path).expect("an example") + &machines();
     let page =
         |what: &str, page: PlanReport| ExamplePage { name: format!("{name}{what}"), job: text.clone(), page };
     if let Some(loaded) = job.of::<Job>() {

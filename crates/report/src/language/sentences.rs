@@ -1,6 +1,7 @@
 //! Texts of the table with holes: `{n}` stands for a number, `{}` for anything, which appears in the language as well.
 
 use super::german::TEXTS;
+use std::cell::RefCell;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
@@ -108,7 +109,31 @@ pub(super) fn german(text: &str) -> Option<Said> {
     known(&text.replace(" um", " µm"))
 }
 
+/// Texts that were looked up, so that parts of a text are looked up once, in whatever way it is parted.
+type Seen = HashMap<String, Option<Said>>;
+
+/// More texts than this are looked up again.
+const MOST_SEEN: usize = 4096;
+
+thread_local! {
+    static SEEN: RefCell<Seen> = RefCell::new(Seen::new());
+}
+
 fn known(text: &str) -> Option<Said> {
+    if let Some(said) = SEEN.with_borrow(|seen| seen.get(text).cloned()) {
+        return said;
+    }
+    let said = looked_up(text);
+    SEEN.with_borrow_mut(|seen| {
+        if seen.len() >= MOST_SEEN {
+            seen.clear();
+        }
+        seen.insert(text.to_owned(), said.clone());
+    });
+    said
+}
+
+fn looked_up(text: &str) -> Option<Said> {
     let fixed = |text: &str| TABLE.fixed.get(text).map(|german| Said::whole(*german));
     // What is fixed goes before what has holes, for a hole takes anything.
     begun(text, &fixed)

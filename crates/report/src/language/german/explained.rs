@@ -115,8 +115,6 @@ pub(super) const TEXTS: &[Text] = &[
     ),
     ("left flank {n} µm", "linke Flanke {} µm"),
     ("right flank {n} µm", "rechte Flanke {} µm"),
-    ("left flank {}", "linke Flanke {}"),
-    ("right flank {}", "rechte Flanke {}"),
     // Radial feed.
     (
         "left flank {n} µm from the corners ({n} µm normal), {n} µm by least squares",
