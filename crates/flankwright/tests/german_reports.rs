@@ -1,139 +1,50 @@
-//! Reports in German: every heading, column, label, name of a quantity, caption and text of a chart of the examples has a German text.
+//! Reports in German: every text of the pages of all examples has a German one, headings and columns as well as sentences with figures,
+//! remarks, reasons and ways out. English stays what a job or a file says, and what names something in files.
 
-use flankwright::exchange::{
-    AnyJob, GearboxJob, Job, LoadedJob, MillingJob, SkivingJob, TangentialJob, read_any_job,
-};
+use crate::example_pages::{ExamplePage, files, pages};
+use crate::measured_parts::MadePart;
+use flankwright::exchange::GearboxJob;
 use flankwright::numerics::Silent;
-use foundation::numerics::Progress;
-use report::{Language, PlanReport, TextKind, html, texts};
+use inspection::workflow::{
+    SheetOptions, Statements, inspect_gear, inspection_sheet, sheet_data, sheet_pages,
+};
+use report::{Language, TextKind, html, texts};
 use std::collections::BTreeSet;
-use std::path::PathBuf;
 
-fn example(path: &str) -> AnyJob {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(path);
-    read_any_job(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+/// What a text leaves English, without what the job or a file itself says.
+fn left_of(text: &str, job: &str) -> Vec<String> {
+    let said = job.replace('_', " ");
+    let is_quoted = |left: &str| left.len() > 1 && left.starts_with('"') && left.ends_with('"');
+    let left = Language::German.leaves(text).into_iter();
+    left.filter(|left| !is_quoted(left) && !said.contains(&left.replace('_', " "))).collect()
 }
 
-const SILENT: &dyn Progress = &Silent;
-
-fn grinding(path: &str) -> PlanReport {
-    let job = example(path);
-    let outcome = generating_grinding::workflow::run::plan_job(job.of::<Job>().unwrap(), SILENT);
-    generating_grinding::page::page(&outcome.unwrap_or_else(|_| panic!("{path}")), &files()).unwrap()
-}
-
-/// The files of a page, with one that every run writes.
-fn files() -> Vec<(String, &'static str)> {
-    vec![("result.json".into(), "all figures of this report")]
-}
-
-/// Whether a text has words of a language: four letters in a row are no unit and no symbol.
-fn has_words(text: &str) -> bool {
-    text.split(|c: char| !c.is_alphabetic()).any(|word| word.chars().count() >= 4)
-}
-
-/// Texts that must be German and are not.
-fn without_german(page: &PlanReport) -> BTreeSet<(TextKind, String)> {
-    let fixed = |kind: &TextKind| !matches!(kind, TextKind::Running | TextKind::Unit);
-    texts(page)
-        .into_iter()
-        .filter(|(kind, text)| fixed(kind) && has_words(text) && !Language::German.knows(text))
-        .map(|(kind, text)| (kind, text.to_owned()))
-        .collect()
-}
-
-/// Checks the page, and that it is written in German from its first line to its last number.
-fn check(name: &str, mut page: PlanReport) {
-    let missing = without_german(&page);
-    assert!(missing.is_empty(), "{name}: {missing:#?}");
-    page.language = Language::German;
-    let german = html::render(&page);
-    assert!(german.contains("<html lang=\"de\">") && german.contains("Maschine"), "{name}");
-    for english in ["<h2>Settings</h2>", "Deviation from the target", "<th scope=\"col\">Quantity</th>"] {
-        assert!(!german.contains(english), "{name}: {english}");
-    }
+/// Texts of a page that must be German and are not.
+fn without_german(of: &ExamplePage) -> BTreeSet<String> {
+    let texts = texts(&of.page).into_iter().filter(|(kind, _)| *kind != TextKind::Unit);
+    texts.flat_map(|(_, text)| left_of(text, &of.job)).collect()
 }
 
 #[test]
-fn grinding_reports_are_german() {
-    for path in [
-        "cycles/planet-gear.toml",
-        "cycles/ev-gear.toml",
-        "cycles/spur-gear.toml",
-        "two-end-reliefs.toml",
-        "control/with-real-control.toml",
-        "line-dressing.toml",
-    ] {
-        check(path, grinding(path));
+fn all_texts_of_the_examples_are_german() {
+    let mut missing = Vec::new();
+    for of in pages() {
+        missing.extend(without_german(of).into_iter().map(|text| format!("{}: {text}", of.name)));
     }
+    assert!(missing.is_empty(), "{} texts:\n{}", missing.len(), missing.join("\n"));
 }
 
 #[test]
-fn strokes_areas_and_tools_that_are_not_dressed_are_german() {
-    for path in ["dressing/gear-root.toml", "plated-worm.toml", "left-out-thread.toml"] {
-        let job = example(path);
-        let Some(loaded) = job.of::<Job>() else { panic!("{path}") };
-        if let Ok(outcome) = generating_grinding::workflow::run::plan_job(loaded, SILENT) {
-            check(path, generating_grinding::page::page(&outcome, &files()).unwrap());
+fn german_pages_are_german_from_their_first_line_to_their_last_number() {
+    for of in pages() {
+        let mut page = of.page.clone();
+        page.language = Language::German;
+        let german = html::render(&page);
+        assert!(german.contains("<html lang=\"de\">") && german.contains("<dt>Prozess</dt>"), "{}", of.name);
+        for english in ["<h2>Settings</h2>", "Deviation from the target", "<th scope=\"col\">Quantity</th>"] {
+            assert!(!german.contains(english), "{}: {english}", of.name);
         }
     }
-}
-
-#[test]
-fn tangential_dressing_is_german() {
-    for path in ["tangential/automotive.toml", "tangential/example-1-small.toml"] {
-        let job = example(path);
-        let loaded = job.of::<TangentialJob>().unwrap();
-        let Ok(outcome) = tangential_dressing::workflow::plan_tangential(loaded, SILENT) else {
-            panic!("{path}")
-        };
-        check(path, tangential_dressing::page::page(&outcome, &files()).unwrap());
-    }
-}
-
-#[test]
-fn milling_is_german() {
-    for path in ["milling/spur-on-ac-table.toml", "milling/spiral-bevel-15.toml", "milling/blisk-blade.toml"]
-    {
-        let job = example(path);
-        let loaded = job.of::<MillingJob>().unwrap();
-        let Ok(outcome) = milling::workflow::run_milling(loaded, SILENT) else { panic!("{path}") };
-        check(path, milling::page::page(&outcome, &files()).unwrap());
-    }
-}
-
-#[test]
-fn measuring_a_skiving_tool_is_german() {
-    for path in ["skiving/measured-ring.toml", "skiving/damaged-tooth.toml", "skiving/internal-ring.toml"] {
-        let job = example(path);
-        let loaded = job.of::<SkivingJob>().unwrap();
-        let Ok(outcome) = skiving::workflow::run_skiving(loaded, SILENT) else { panic!("{path}") };
-        check(path, skiving::page::page(&outcome, &files()).unwrap());
-    }
-}
-
-#[test]
-fn the_electronic_gearbox_is_german() {
-    for path in [
-        "gearbox/cheapest-set-up.toml",
-        "gearbox/following-with-disturbances.toml",
-        "gearbox/reference-train.toml",
-    ] {
-        let job = example(path);
-        let loaded = job.of::<GearboxJob>().unwrap();
-        let Ok(outcome) = gearbox::workflow::run_gearbox(loaded, SILENT) else { panic!("{path}") };
-        check(path, gearbox::page::page(&outcome, &files()).unwrap());
-    }
-}
-
-#[test]
-fn inspections_are_german() {
-    let job = example("inspection/closed-loop.toml");
-    let loaded: &LoadedJob = job.of::<Job>().unwrap();
-    let Ok(found) = inspection::workflow::inspect_simulated(loaded, Some(5), SILENT) else {
-        panic!("no inspection")
-    };
-    check("closed loop", inspection::page::measured_gear::page(&found, &files()).unwrap());
 }
 
 #[test]
@@ -145,7 +56,7 @@ fn the_language_of_a_job_is_that_of_its_report() {
         let text = format!("{text}\n[gear]{rest}").replace("[output]", &format!("[output]\n{output}\n#"));
         let source = flankwright::exchange::Source::new("job.toml", &text);
         let job = flankwright::exchange::parse_any_job(source).unwrap_or_else(|error| panic!("{error}"));
-        let Ok(outcome) = gearbox::workflow::run_gearbox(job.of::<GearboxJob>().unwrap(), SILENT) else {
+        let Ok(outcome) = gearbox::workflow::run_gearbox(job.of::<GearboxJob>().unwrap(), &Silent) else {
             panic!("no run")
         };
         gearbox::page::html_page(&outcome, &files()).unwrap()
@@ -159,4 +70,60 @@ fn the_language_of_a_job_is_that_of_its_report() {
         assert!(!page.contains("<dt>Customer</dt>") && !page.contains("<dt>Kunde</dt>"));
     }
     assert_eq!(german, with("language = \"de\""));
+}
+
+/// Texts of a sheet that are its own: what is drawn, and what stands beside words of files.
+fn own_texts_of_sheet() -> BTreeSet<String> {
+    let folder = tempfile::tempdir().expect("a directory");
+    let path = folder.path().join("part.mka");
+    std::fs::write(&path, MadePart::new("part", 3).text()).expect("a file");
+    let Ok(found) = inspect_gear(&path, &Statements::default(), Some(6)) else { panic!("no part") };
+    let mut own = BTreeSet::new();
+    for class in [None, Some(3), Some(11)] {
+        let options = SheetOptions { tolerance_class: class, ..SheetOptions::default() };
+        let data = sheet_data(&found.inspection, &found.gear, &options);
+        // Broken into lines where it is drawn.
+        let slopes: Vec<&String> = [&data.profiles, &data.helices]
+            .into_iter()
+            .chain(&data.further)
+            .map(|row| &row.slope_words)
+            .collect();
+        for page in sheet_pages(&found.inspection, &found.gear, &options).expect("a sheet") {
+            let of_page = page.svg.texts().filter(|text| !slopes.iter().any(|whole| whole.contains(*text)));
+            own.extend(of_page.map(str::to_owned));
+        }
+        own.extend(slopes.into_iter().cloned());
+        own.insert(data.pitch.words.clone());
+        own.extend(data.head.gear.iter().map(|fact| fact.text.clone()));
+        let own_labels = ["section", "datum face", "counting", "sign of fHα", "sign of fHβ", "tolerances"];
+        let conditions = data.head.conditions.iter().filter(|fact| own_labels.contains(&fact.label.as_str()));
+        own.extend(conditions.map(|fact| fact.text.clone()));
+        own.extend(data.topographies.iter().map(|field| field.note.clone()));
+    }
+    own
+}
+
+#[test]
+fn the_inspection_sheet_is_german() {
+    let missing: Vec<String> =
+        own_texts_of_sheet().iter().flat_map(|text| Language::German.leaves(text)).collect();
+    assert!(missing.is_empty(), "{missing:#?}");
+}
+
+#[test]
+fn report_and_sheet_of_a_measurement_have_the_language_that_is_asked_for() {
+    let folder = tempfile::tempdir().expect("a directory");
+    let path = folder.path().join("part.mka");
+    std::fs::write(&path, MadePart::new("part 12.5", 3).text()).expect("a file");
+    let Ok(mut found) = inspect_gear(&path, &Statements::default(), Some(6)) else { panic!("no part") };
+    let english = inspection_sheet(&found, &SheetOptions::default()).expect("a sheet");
+    found.language = flankwright::exchange::job::Language::De;
+    let german = inspection_sheet(&found, &SheetOptions::default()).expect("a sheet");
+    assert!(english.contains("<html lang=\"en\">") && english.contains("Inspection sheet"));
+    assert!(german.contains("<html lang=\"de\">") && german.contains(">Messblatt<"));
+    assert!(!german.contains("Inspection sheet") && !german.contains("not measured"));
+    // What the file says stays as it is.
+    assert!(german.contains("part 12.5"));
+    let report = inspection::page::measured_gear::html_page(&found, &files()).expect("a report");
+    assert!(report.contains("<html lang=\"de\">") && report.contains("Messung eines Zahnrads"));
 }

@@ -3,16 +3,20 @@
 
 mod clamping;
 mod crates;
+mod example_pages;
 mod german_help;
 mod german_reports;
 mod hostile_files;
 mod line_programs;
 mod linuxcnc;
 mod machines;
+#[path = "../../inspection/tests/measured_parts/mod.rs"]
+mod measured_parts;
 #[path = "../../milling/tests/milling_example.rs"]
 mod milling_example;
 #[path = "../../nc/tests/peer/mod.rs"]
 mod peer;
+mod plain_names;
 mod programs;
 mod refusals;
 mod scene;

@@ -132,7 +132,8 @@ fn equal_ratios_are_offered() {
     assert!((offer.value_deg - COMMON.0).abs() < 1e-9 && (offer.keys[0].1 - offer.value_deg).abs() == 0.0);
     assert!((offer.diagonal_ratio - COMMON.1).abs() < 1e-9);
     let remark = code(&loaded).unwrap();
-    assert!(remark.text.contains(&format!("{:.6}", offer.value_deg)), "{}", remark.text);
+    assert!(remark.text.contains(&format!("{:.4}", offer.value_deg)), "{}", remark.text);
+    assert!(remark.way_out.contains(&format!("{:.6}", offer.value_deg)), "{}", remark.way_out);
     // One flank alone has nothing to agree with.
     let mut one = loaded.clone();
     one.job.grinding.flanks = Flanks::Left;
@@ -276,7 +277,7 @@ fn combinations_that_fail_are_listed() {
     let width = csv.lines().next().unwrap().split(',').count();
     assert!(csv.lines().all(|line| line.split(',').count() == width) && !csv.contains("NaN"));
     let page = std::fs::read_to_string(&written[2]).unwrap();
-    for words in ["tolerance 1 µm", "conical-worm-without-width", "cone 0°", "diagonal ratio K"] {
+    for words in ["tolerance 1 µm", "serves the rolls of its whole width", "cone 0°", "diagonal ratio K"] {
         assert!(page.contains(words), "{words}");
     }
 }

@@ -63,7 +63,7 @@ fn the_page_is_complete_and_self_contained() {
             && at(">Appendix</p>") < at("<h2>How it was verified</h2>")
     );
     let ratio = outcome.execution.ratio;
-    let ratio = report::charts::format_significant(ratio, 7);
+    let ratio = report::charts::format_significant(ratio, 6);
     assert_holds(
         &page,
         &[

@@ -58,7 +58,7 @@ pub enum GeneratingError {
     },
     /// A dressing or grinding axis leaves its range.
     #[error(
-        "{} by {value:.4} {unit} ({axis}); planning takes at most {limit:.4} {unit} on its own",
+        "{} by {value:.4} {unit}; planning takes at most {limit:.4} {unit} on its own",
         correction_in_words(axis)
     )]
     #[finding(code = "axis-limit")]

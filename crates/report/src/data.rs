@@ -244,7 +244,7 @@ pub struct Quantity {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum QuantityValue {
-    /// A number, printed with up to seven significant digits.
+    /// A number, printed with up to six significant digits.
     Number(f64),
     /// A count.
     Count(i64),
@@ -296,7 +296,7 @@ impl Quantity {
 
     /// The value as text, without its unit.
     pub fn value_text(&self) -> String {
-        const DIGITS: usize = 7;
+        const DIGITS: usize = 6;
         match &self.value {
             QuantityValue::Number(value) => format_significant(*value, DIGITS),
             QuantityValue::Count(value) => value.to_string().replace('-', "−"),

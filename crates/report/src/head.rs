@@ -3,22 +3,13 @@
 use verdict::Verdict;
 
 use super::data::{Banner, Block, Column, Fact, PlanReport, Section, Stamp, Table, Warning};
-use super::first_page::{FirstPage, TitleBlock};
-use super::language::Language;
+use super::page_head::PageHead;
 
 /// The job and its answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReportHead {
-    /// Name of the job.
-    pub job_name: String,
-    /// Its description.
-    pub description: Option<String>,
-    /// Language of the page.
-    pub language: Language,
-    /// Part, drawing, customer, date, machine, author, process, version.
-    pub title_block: TitleBlock,
-    /// What stands with it on the first sheet.
-    pub first_page: FirstPage,
+    /// Name, language, title block, first page.
+    pub head: PageHead,
     /// How it ended.
     pub status: Stamp,
     /// The answer in one sentence.
@@ -44,19 +35,12 @@ impl ReportHead {
         let warnings = (!self.warnings.is_empty())
             .then(|| Section::new("warnings", "Warnings", vec![Block::Warnings(self.warnings.clone())]));
         let files = Section::new("files", "Files", vec![Block::Table(self.files_table())]);
-        PlanReport {
-            title: self.job_name.clone(),
-            subtitle: self.description.clone(),
-            language: self.language,
-            title_block: self.title_block.clone(),
-            banner: Banner {
-                status: self.status,
-                headline,
-                figures: self.figures.iter().map(|(label, text)| Fact::new(label, text)).collect(),
-            },
-            first_page: self.first_page.clone(),
-            sections: warnings.into_iter().chain(sections).chain([files]).collect(),
-        }
+        let banner = Banner {
+            status: self.status,
+            headline,
+            figures: self.figures.iter().map(|(label, text)| Fact::new(label, text)).collect(),
+        };
+        self.head.clone().page(banner, warnings.into_iter().chain(sections).chain([files]).collect())
     }
 
     fn files_table(&self) -> Table {

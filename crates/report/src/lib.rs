@@ -33,6 +33,7 @@ pub mod flank_stages;
 pub mod head;
 pub mod ids;
 mod language;
+mod page_head;
 pub mod placed;
 mod texts;
 mod typeset;
@@ -48,6 +49,7 @@ pub use flank_stages::{
 pub use head::ReportHead;
 pub use ids::kebab;
 pub use language::Language;
+pub use page_head::PageHead;
 pub use placed::{PlacedChart, charts_of_page};
 pub use texts::{TextKind, texts};
 pub use typeset::unit;

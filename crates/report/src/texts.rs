@@ -13,7 +13,7 @@ pub enum TextKind {
     Column,
     /// Label of a fact, name of a quantity.
     Name,
-    /// Symbol or unit.
+    /// Symbol, unit or code.
     Unit,
     /// Title of a chart, text in it.
     Chart,
@@ -35,7 +35,10 @@ pub fn texts(page: &PlanReport) -> Vec<(TextKind, &str)> {
     ]);
     for fact in &page.banner.figures {
         found.add(TextKind::Name, &fact.label);
-        found.add(TextKind::Running, &fact.text);
+        // A code and a key are the same in every language.
+        let kind =
+            if matches!(fact.label.as_str(), "Code" | "Key") { TextKind::Unit } else { TextKind::Running };
+        found.add(kind, &fact.text);
     }
     page.first_page.picture.iter().for_each(|figure| found.figure(figure));
     page.first_page.values.iter().for_each(|table| found.table(table));

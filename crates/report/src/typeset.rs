@@ -5,7 +5,7 @@ use super::language::Language;
 use std::borrow::Cow;
 
 /// Symbols in plain letters, and printed.
-const SYMBOLS: [(&str, &str); 10] = [
+const SYMBOLS: [(&str, &str); 16] = [
     ("fHa", "f<sub>Hα</sub>"),
     ("fHb", "f<sub>Hβ</sub>"),
     ("ffa", "f<sub>fα</sub>"),
@@ -16,6 +16,12 @@ const SYMBOLS: [(&str, &str); 10] = [
     ("Cb", "C<sub>β</sub>"),
     ("fKo", "f<sub>Ko</sub>"),
     ("fKu", "f<sub>Ku</sub>"),
+    ("fp", "f<sub>p</sub>"),
+    ("Fp", "F<sub>p</sub>"),
+    ("Fpk", "F<sub>pk</sub>"),
+    ("Fr", "F<sub>r</sub>"),
+    ("fu", "f<sub>u</sub>"),
+    ("Rp", "R<sub>p</sub>"),
 ];
 
 /// Sets texts of a page in its language.
@@ -25,7 +31,7 @@ pub(super) struct Setter(pub(super) Language);
 impl Setter {
     /// Running text and cells.
     pub(super) fn running(self, text: &str) -> String {
-        typeset(&self.0.say(text))
+        typeset(&self.0.say(&rounded(text)))
     }
 
     /// Headings and attributes: nothing but the language.
@@ -36,9 +42,15 @@ impl Setter {
     /// Text with symbols, whose indices stand below the line.
     pub(super) fn symbols(self, text: &str) -> String {
         let said = self.0.say(text);
-        let set = |(piece, below): (String, bool)| {
-            let piece = escape(&piece);
-            if below { format!("<sub>{piece}</sub>") } else { piece }
+        let set = |(piece, below): (String, bool)| match below {
+            true => format!("<sub>{}</sub>", escape(&piece)),
+            false => {
+                let word = |word: &str| {
+                    let bare = word.trim_end_matches(' ');
+                    symbols(bare) + &word[bare.len()..]
+                };
+                piece.split_inclusive(' ').map(word).collect()
+            }
         };
         indices(&said).into_iter().map(set).collect()
     }
@@ -72,7 +84,9 @@ pub fn unit(text: &str) -> Cow<'_, str> {
 /// Escaped text: a number's `um` and `deg` as µm and °, symbols with their indices. What stands in quotes of any kind, in keys and in names
 /// of files stays as it is.
 pub(super) fn typeset(text: &str) -> String {
-    let text = &rounded(text);
+    if let "um" | "deg" | "urad" = text {
+        return unit(text).into_owned();
+    }
     let mut page = String::with_capacity(text.len() + 16);
     let mut before: Option<&str> = None;
     // Spaces stay with the word that they follow, so that all of them are kept.
@@ -103,16 +117,17 @@ pub(super) fn typeset(text: &str) -> String {
     page
 }
 
-/// Decimals from which on a number shows how computers store it, not what it is.
-const NEEDLESS_DECIMALS: usize = 10;
+/// Digits that a number of a page has at most, but for whole numbers and thousandths.
+const DIGITS: usize = 6;
 
-/// Text whose numbers with needless decimals are rounded: `3.0000000000000004` is 3.
+/// Text whose numbers have no needless digits: `3.0000000000000004` is 3.
 fn rounded(text: &str) -> Cow<'_, str> {
     let is_number = |c: char| c.is_ascii_digit() || c == '.';
     let long = |word: &str| {
         let (whole, decimals) = word.split_once('.')?;
         let plain = !whole.is_empty() && decimals.bytes().all(|b| b.is_ascii_digit());
-        (plain && decimals.len() >= NEEDLESS_DECIMALS).then(|| word.parse::<f64>().ok())?
+        let digits = word.trim_start_matches(['0', '.']).bytes().filter(u8::is_ascii_digit).count();
+        (plain && decimals.len() > 3 && digits > DIGITS).then(|| word.parse::<f64>().ok())?
     };
     if !text.split(|c| !is_number(c)).any(|word| long(word).is_some()) {
         return Cow::Borrowed(text);
@@ -124,7 +139,7 @@ fn rounded(text: &str) -> Cow<'_, str> {
         let end = number.find(|c| !is_number(c)).unwrap_or(number.len());
         out += before;
         match long(&number[..end]) {
-            Some(value) => out += &format_significant(value, 7),
+            Some(value) => out += &format_significant(value, DIGITS),
             None => out += &number[..end],
         }
         rest = &number[end..];
@@ -134,7 +149,7 @@ fn rounded(text: &str) -> Cow<'_, str> {
 
 /// Whether a word ends with a digit, so that a unit may follow.
 fn ends_a_number(word: &str) -> bool {
-    word.ends_with(|c: char| c.is_ascii_digit())
+    word.ends_with(|c: char| c.is_ascii_digit() || "⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c))
 }
 
 /// What may follow a unit: nothing, a mark of a sentence, or a further unit below the line.
@@ -152,13 +167,27 @@ fn symbols(word: &str) -> String {
     let plain = before.chars().all(|c| c == '(') && after.chars().all(|c| ",;.:)".contains(c));
     match SYMBOLS.iter().find(|(symbol, _)| *symbol == name) {
         Some((_, printed)) if plain => format!("{}{printed}{}", escape(before), escape(after)),
-        _ => escape(word),
+        _ => with_index(word).unwrap_or_else(|| escape(word)),
     }
+}
+
+/// A symbol with its index, `F_α` or `Δv_yA`: one or two letters before the underscore. Columns of files, such as `w_mm`, are none.
+fn with_index(word: &str) -> Option<String> {
+    const UNITS: [&str; 3] = ["mm", "um", "deg"];
+    let (start, rest) = word.split_once('_')?;
+    let letters = start.trim_start_matches(['(', '|', '±', 'Δ']).trim_end_matches('\'');
+    let end = rest.find(|c: char| !c.is_alphanumeric()).unwrap_or(rest.len());
+    let (index, after) = rest.split_at(end);
+    let symbol = (1..=2).contains(&letters.chars().count()) && letters.chars().all(char::is_alphabetic);
+    let short = (1..=4).contains(&index.chars().count()) && !UNITS.contains(&index);
+    let ends = after.chars().all(|c| "|,;.:)".contains(c));
+    (symbol && short && ends)
+        .then(|| format!("{}<sub>{}</sub>{}", escape(start), escape(index), escape(after)))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{typeset, unit};
+    use super::{Language, Setter, rounded, typeset, unit};
 
     #[test]
     fn units_alone_are_printed() {
@@ -179,17 +208,22 @@ mod tests {
     fn units_of_numbers_are_printed() {
         assert_eq!(typeset("at most 1.5 um, 3 um."), "at most 1.5 µm, 3 µm.");
         assert_eq!(typeset("turns 18.16 deg along, 90 deg/s (0.5 deg)"), "turns 18.16° along, 90°/s (0.5°)");
-        assert_eq!(typeset("5.2 of 4.5 um"), "5.2 of 4.5 µm");
+        assert_eq!(typeset("5.2 of 4.5 um, 1.5·10⁻¹¹ um"), "5.2 of 4.5 µm, 1.5·10⁻¹¹ µm");
+        assert_eq!(typeset("deg"), "°");
         assert_eq!(typeset("2  um  wide "), "2  µm  wide ");
     }
 
     #[test]
     fn needless_decimals_are_rounded() {
-        assert_eq!(typeset("3.0000000000000004 deg, 19.252409926977002 mm"), "3°, 19.25241 mm");
-        assert_eq!(typeset("-1.0783992795489268 mm"), "-1.078399 mm");
-        for text in ["0.25 mm", "version 0.1.0", "1.5.2", "0.123456789", "…", "12.", "name.0123456789a"] {
-            assert_eq!(typeset(text), text);
+        assert_eq!(rounded("3.0000000000000004 deg, 19.252409926977002 mm"), "3 deg, 19.2524 mm");
+        assert_eq!(rounded("-1.0783992795489268 mm, 0.123456789"), "-1.0784 mm, 0.123457");
+        for text in
+            ["0.25 mm", "version 0.1.0", "1.5.2", "0.00123456", "20743.685", "…", "12.", "name.0123456789a"]
+        {
+            assert_eq!(rounded(text), text);
         }
+        let german = Setter(Language::German);
+        assert_eq!(german.running("3.0000000000000004 mm, 19.252409926977002 mm"), "3 mm, 19,2524 mm");
     }
 
     #[test]
@@ -214,6 +248,13 @@ mod tests {
             "f<sub>Hα</sub> 5.2 of 4.5 µm, F<sub>β</sub> (f<sub>Hβ</sub>)"
         );
         assert_eq!(typeset("fHa, left"), "f<sub>Hα</sub>, left");
+        assert_eq!(
+            typeset("F_α and |Δv_yA|, Q'_w"),
+            "F<sub>α</sub> and |Δv<sub>yA</sub>|, Q&#39;<sub>w</sub>"
+        );
+        for text in ["w_mm", "tip_relief", "`F_α`", "d_v_yA", "technology.limits.Q_w"] {
+            assert_eq!(typeset(text), text);
+        }
         for text in ["fHa.left.mean", "fHalpha", "Fa-1", "programs/Fa.nc"] {
             assert_eq!(typeset(text), text);
         }

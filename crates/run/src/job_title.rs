@@ -2,7 +2,7 @@
 
 use job::machine::LoadedMachine;
 use job::tables::{JobInfo, Language};
-use report::TitleBlock;
+use report::{FirstPage, PageHead, TitleBlock};
 
 /// The job of a page.
 #[derive(Clone, Copy, Debug)]
@@ -40,11 +40,27 @@ impl<'a> JobTitle<'a> {
         }
     }
 
+    /// The head of a page of this job; the process, or the kind of study, in words.
+    pub fn head(&self, process: &str) -> PageHead {
+        PageHead {
+            title: self.info.name.clone(),
+            description: self.info.description.clone(),
+            language: self.language(),
+            title_block: self.title_block(process),
+            first_page: FirstPage::default(),
+        }
+    }
+
     /// Language of the page.
     pub fn language(&self) -> report::Language {
-        match self.language {
-            Language::En => report::Language::English,
-            Language::De => report::Language::German,
-        }
+        page_language(self.language)
+    }
+}
+
+/// The language of a page, for what a job or a command says.
+pub fn page_language(language: Language) -> report::Language {
+    match language {
+        Language::En => report::Language::English,
+        Language::De => report::Language::German,
     }
 }

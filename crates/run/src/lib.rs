@@ -47,7 +47,7 @@ pub use finding::{JobFailure, Remark, RunFailure, geometry_finding, modification
 pub use finish::{finished, unmeshed};
 pub use gear::{blank_of_job, gear_of_job, job_files, specs_of_flank};
 pub use grinding_motion::{GrindingMotion, grinding_motion_chart};
-pub use job_title::JobTitle;
+pub use job_title::{JobTitle, page_language};
 pub use modified_flank::ModifiedFlank;
 pub use outcome::{Conclusion, FlankMaps, TaskOutcome};
 pub use output_set::{SetFile, write_set};

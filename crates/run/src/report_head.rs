@@ -1,7 +1,7 @@
 //! How the page of a job begins and ends, from its result.
 
 use super::job_title::JobTitle;
-use report::{FirstPage, ReportHead, Warning};
+use report::{FirstPage, PageHead, ReportHead, Warning};
 use verdict::{Remark, Status};
 
 /// What a job came to.
@@ -26,11 +26,7 @@ pub struct Answer<'a> {
 pub fn report_head(job: JobTitle<'_>, answer: Answer<'_>, files: &[(String, &'static str)]) -> ReportHead {
     let warning = |w: &Remark| Warning { text: w.text.clone(), way_out: w.way_out.clone() };
     ReportHead {
-        job_name: job.info.name.clone(),
-        description: job.info.description.clone(),
-        language: job.language(),
-        title_block: job.title_block(answer.process),
-        first_page: answer.first_page,
+        head: PageHead { first_page: answer.first_page, ..job.head(answer.process) },
         status: answer.status.into(),
         headline: answer.headline,
         way_out: answer.reason.map_or_else(String::new, |reason| reason.way_out.clone()),
@@ -44,5 +40,5 @@ pub fn report_head(job: JobTitle<'_>, answer: Answer<'_>, files: &[(String, &'st
 pub fn sentence(remark: &Remark) -> String {
     let mut letters = remark.text.chars();
     let first = letters.next().map(|letter| letter.to_uppercase().to_string()).unwrap_or_default();
-    format!("{first}{}.", letters.as_str().replace(" um", " µm"))
+    format!("{first}{}.", letters.as_str().trim_end_matches('.').replace(" um", " µm"))
 }

@@ -233,7 +233,7 @@ impl Pair<'_> {
             let (unit, factor) = if j < 2 { ("deg", 180.0 / std::f64::consts::PI) } else { ("mm", 1.0) };
             return Err(Refusal::AxisLimit {
                 flank,
-                axis: ["d_phi_S", "d_gamma", "d_d", "d_v_yA"][j],
+                axis: ["Δφ_S", "Δγ", "Δd", "Δv_yA"][j],
                 value: value * factor,
                 limit: self.limits.correction[j] * factor,
                 unit,

@@ -21,7 +21,7 @@ pub enum Refusal {
     AxisLimit {
         /// Flank concerned.
         flank: Flank,
-        /// Name of the axis.
+        /// Symbol of the correction.
         axis: &'static str,
         /// Value needed.
         value: f64,

@@ -9,6 +9,7 @@ use flankwright::workflow::skiving::inspect_skiving;
 use flankwright::workflow::{Task, TaskOutcome};
 
 use super::measured_gear::Asked;
+use super::page_language::LanguageArguments;
 use super::statements::StatementArguments;
 use super::{measured_gear, outcome};
 use crate::common_arguments::CommonArguments;
@@ -20,7 +21,7 @@ use crate::progress::Bars;
 /// Arguments of `inspect`.
 #[derive(Args, Debug)]
 #[command(after_help = "Example:\n  flankwright inspect part.mka\n  \
-    flankwright inspect measured/ -o series\n  \
+    flankwright inspect measured/ --language de -o series\n  \
     flankwright inspect examples/inspection/measured.csv --job examples/inspection/measured.toml\n  \
     flankwright inspect --job examples/inspection/closed-loop.toml\n  \
     flankwright inspect examples/skiving/readings.csv --job examples/skiving/measured-ring.toml\n  \
@@ -51,6 +52,9 @@ pub struct InspectArguments {
     /// Helix traces of sheets with the top of the measuring machine upwards instead of the datum face downwards
     #[arg(long)]
     pub top_up: bool,
+    /// Language of the pages.
+    #[command(flatten)]
+    pub language: LanguageArguments,
     /// What the files do not tell.
     #[command(flatten)]
     pub statements: StatementArguments,
@@ -63,7 +67,8 @@ impl InspectArguments {
     fn asked(&self) -> Asked<'_> {
         let sheet =
             SheetOptions { tolerance_class: self.class, top_up: self.top_up, ..SheetOptions::default() };
-        Asked { sheet, statements: self.statements.statements(), common: &self.common }
+        let (statements, language) = (self.statements.statements(), self.language.given());
+        Asked { sheet, statements, language, common: &self.common }
     }
 }
 
@@ -85,7 +90,7 @@ pub fn run(arguments: &InspectArguments) -> Result<Exit, Failure> {
 fn for_job(job: &AnyJob, file: Option<&Path>, asked: &Asked<'_>) -> Result<Exit, Failure> {
     if job.of::<SkivingJob>().is_some() {
         nothing_stated(job, asked)?;
-        return of_tool(job, file, asked.common);
+        return of_tool(job, file, asked);
     }
     let Some(loaded) = job.of::<Job>() else { return Err(other_process(job)) };
     match file {
@@ -118,15 +123,20 @@ fn nothing_stated(job: &AnyJob, asked: &Asked<'_>) -> Result<(), Failure> {
     Err(Failure::of_job(Exit::BadInput, job.document(), finding))
 }
 
-fn of_tool(job: &AnyJob, file: Option<&Path>, common: &CommonArguments) -> Result<Exit, Failure> {
+fn of_tool(job: &AnyJob, file: Option<&Path>, asked: &Asked<'_>) -> Result<Exit, Failure> {
     let (Some(file), Some(loaded)) = (file, job.of::<SkivingJob>()) else {
         let finding = Diagnostic::new(Problem::MissingKey, "there is no measurement of the tool")
             .field("FILE")
             .way_out("name the file of switching angles; `flankwright simulate` writes one");
         return Err(Failure::of_job(Exit::BadInput, job.document(), finding));
     };
+    let mut loaded = loaded.clone();
+    if let Some(language) = asked.language {
+        loaded.job.output.language = language;
+    }
+    let common = asked.common;
     let bars = Bars::new(common.quiet);
-    let done = inspect_skiving(loaded, file, &bars);
+    let done = inspect_skiving(&loaded, file, &bars);
     bars.finish();
     let done = done.map(|outcome| Box::new(outcome) as Box<dyn TaskOutcome>);
     outcome::deliver(Task::Inspect, job, common, outcome::ROWS, done)

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use flankwright::exchange::job::Language;
 use flankwright::exchange::{Diagnostic, LoadedJob, Problem};
 use flankwright::workflow::JobFailure;
 use flankwright::workflow::inspection::series::{
@@ -26,6 +27,8 @@ pub struct Asked<'a> {
     pub sheet: SheetOptions,
     /// What the files do not tell.
     pub statements: Statements,
+    /// Language of the pages, if not that of the job.
+    pub language: Option<Language>,
     /// Arguments that every command has.
     pub common: &'a CommonArguments,
 }
@@ -42,7 +45,7 @@ pub fn alone(file: &Path, asked: &Asked<'_>) -> Result<Exit, Failure> {
                 JobFailure::Job(failure) => Failure::of_no_job(failure),
             },
         )?;
-    deliver(&found, asked, &beside(file))
+    deliver(found, asked, &beside(file))
 }
 
 /// Judges a measurement against a job.
@@ -63,7 +66,7 @@ pub fn for_job(file: &Path, loaded: &LoadedJob, asked: &Asked<'_>) -> Result<Exi
     let found = inspect_for_job(loaded, file, &asked.statements, asked.sheet.tolerance_class, &bars);
     bars.finish();
     let found = found.map_err(|failure| Failure::of_job_or_file(&loaded.document, failure))?;
-    deliver(&found, asked, &beside(file))
+    deliver(found, asked, &beside(file))
 }
 
 /// Measures and corrects the simulated machine of a job.
@@ -76,7 +79,7 @@ pub fn simulated(loaded: &LoadedJob, asked: &Asked<'_>) -> Result<Exit, Failure>
     bars.finish();
     let found = found.map_err(|failure| Failure::of_run(&loaded.document, failure))?;
     let directory = loaded.beside(&format!("{}.inspected", loaded.job.job.name));
-    deliver(&found, asked, &directory)
+    deliver(found, asked, &directory)
 }
 
 /// Writes the stock of a measured blank as a table for the job.
@@ -107,10 +110,11 @@ pub fn beside(file: &Path) -> PathBuf {
     file.with_file_name(name)
 }
 
-fn deliver(found: &GearInspection, asked: &Asked<'_>, directory: &Path) -> Result<Exit, Failure> {
+fn deliver(mut found: GearInspection, asked: &Asked<'_>, directory: &Path) -> Result<Exit, Failure> {
+    found.language = asked.language.unwrap_or(found.language);
     let directory = asked.common.output.as_deref().unwrap_or(directory);
-    let written = write_gear_inspection(found, &asked.sheet, directory).map_err(unwritten)?;
-    conclude(asked.common, found, ROWS, &written)
+    let written = write_gear_inspection(&found, &asked.sheet, directory).map_err(unwritten)?;
+    conclude(asked.common, &found, ROWS, &written)
 }
 
 /// Evaluates all measurements of a folder as a series.
@@ -120,6 +124,7 @@ fn deliver(found: &GearInspection, asked: &Asked<'_>, directory: &Path) -> Resul
 pub fn series(folder: &Path, asked: Asked<'_>) -> Result<Exit, Failure> {
     let found = measured_parts_in(folder).map_err(Failure::of_no_job)?;
     let options = SeriesOptions {
+        language: asked.language.unwrap_or_default(),
         sheet: asked.sheet,
         statements: asked.statements,
         left_out: found.left_out,

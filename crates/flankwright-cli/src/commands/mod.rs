@@ -8,6 +8,7 @@ pub mod inspect;
 mod measured_gear;
 pub mod new;
 mod outcome;
+mod page_language;
 pub mod plan;
 pub mod program;
 pub mod schema;

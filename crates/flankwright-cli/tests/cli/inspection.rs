@@ -64,6 +64,29 @@ fn a_loop_ends_below_the_noise() {
 }
 
 #[test]
+fn report_and_sheet_of_a_file_have_the_language_that_the_command_says() {
+    let directory = tempfile::tempdir().unwrap();
+    let curves = repository().join("fuzz/seeds/klingelnberg/curves.mka").display().to_string();
+    for (arguments, code, sheet_title) in [
+        (&[curves.as_str()][..], "en", "Inspection sheet"),
+        (&[curves.as_str(), "--language", "de"], "de", "Messblatt"),
+    ] {
+        let out = directory.path().join(code);
+        let run = inspected(arguments, &out);
+        assert!(out.join("report.html").is_file(), "{}", run.stderr);
+        for (file, words) in [("report.html", "<h1>"), ("sheet.html", sheet_title)] {
+            let page = std::fs::read_to_string(out.join(file)).unwrap();
+            assert!(
+                page.contains(&format!("<html lang=\"{code}\">")) && page.contains(words),
+                "{file} {code}"
+            );
+        }
+    }
+    let run = inspected(&[&curves, "--language", "fr"], &directory.path().join("fr"));
+    assert_eq!(run.exit, Some(2), "{}", run.stderr);
+}
+
+#[test]
 fn a_measured_file_says_what_the_simulated_machine_said() {
     let directory = tempfile::tempdir().unwrap();
     let job = loop_job(directory.path(), &[("rounds = 2", "rounds = 1")]);

@@ -26,18 +26,18 @@ pub(super) fn settings(s: &GearboxSettingsResult) -> Vec<Quantity> {
 /// The word of the job file for a mode.
 fn mode_word(mode: InterpolationMode) -> &'static str {
     match mode {
-        InterpolationMode::OneWay => "one-way",
-        InterpolationMode::NoBacklash => "no-backlash",
-        InterpolationMode::Literal => "literal",
+        InterpolationMode::OneWay => "in one sense",
+        InterpolationMode::NoBacklash => "without backlash",
+        InterpolationMode::Literal => "pulse by pulse",
     }
 }
 
-/// The word of the job file for a way of counting.
+/// A way of counting in words.
 fn rate_word(rate: RotationRate) -> &'static str {
     match rate {
-        RotationRate::Exact => "exact",
-        RotationRate::Bresenham => "bresenham",
-        RotationRate::Binary => "binary",
+        RotationRate::Exact => "exactly",
+        RotationRate::Bresenham => "by Bresenham's rule",
+        RotationRate::Binary => "by a rate multiplier",
     }
 }
 

@@ -82,6 +82,15 @@ impl FreeQuantity {
         }
     }
 
+    /// The quantity in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::PitchDiameter => "pitch diameter of the worm",
+            Self::PressureAngle => "normal pressure angle of the worm",
+            Self::Threads => "number of threads of the worm",
+        }
+    }
+
     /// Values that it may have.
     pub fn range(self) -> [f64; 2] {
         match self {

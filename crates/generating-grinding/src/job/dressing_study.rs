@@ -78,6 +78,17 @@ impl StudyOver {
             Self::Deviations => "deviations",
         }
     }
+
+    /// What is studied, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Crowning => "profile crowning",
+            Self::Profile => "dressed profile",
+            Self::WormDiameter | Self::PressureAngle => "dresser on other worms",
+            Self::Strokes => "dressing in several strokes",
+            Self::Deviations => "deviations of the axes",
+        }
+    }
 }
 
 /// Values of one quantity of the bodies; exactly one key. Lengths in mm.

@@ -6,8 +6,8 @@ use super::{first_page, motions, ratio, strokes, summary};
 use report::charts::{ChartError, DressingSectionChart, dressing_section_chart, worm_occupation_chart};
 use report::head::scope_blocks;
 use report::{
-    Block, Column, DrawnFlanks, Figure, FirstPage, PlanReport, Section, Table, Warning, first_picture,
-    flank_diagram, flank_figures, kebab,
+    Block, Column, DrawnFlanks, Figure, FirstPage, PageHead, PlanReport, Section, Table, Warning,
+    first_picture, flank_diagram, flank_figures, kebab,
 };
 use verdict::Remark;
 
@@ -55,15 +55,8 @@ impl GrindingPage<'_> {
             )
             .in_appendix(),
         ];
-        Ok(PlanReport {
-            title: self.title.info.name.clone(),
-            subtitle: self.title.info.description.clone(),
-            language: self.title.language(),
-            title_block: self.title.title_block(self.process),
-            banner: summary::banner(self),
-            first_page: self.first_page(&drawn)?,
-            sections: sections.into_iter().filter(|section| !section.blocks.is_empty()).collect(),
-        })
+        let head = PageHead { first_page: self.first_page(&drawn)?, ..self.title.head(self.process) };
+        Ok(head.page(summary::banner(self), sections))
     }
 
     fn first_page(&self, drawn: &DrawnFlanks) -> Result<FirstPage, ChartError> {

@@ -5,6 +5,7 @@ mod content;
 mod control;
 mod drawn_values;
 mod first_page;
+mod limit_words;
 mod motions;
 mod programs;
 mod quantities;

@@ -18,7 +18,7 @@ const LEAST_SHOWN: f64 = 1e-3;
 pub(super) fn choice(settings: &SettingsResult) -> Result<Vec<Block>, ChartError> {
     let reason = settings.diagonal_ratio_reason.as_deref().unwrap_or_default();
     let chosen = settings.settings.diagonal_ratio;
-    let text = format!("Diagonal ratio K = {}. {reason}", format_significant(chosen, 7));
+    let text = format!("Diagonal ratio K = {}. {reason}", format_significant(chosen, 6));
     let mut blocks = vec![Block::Paragraph(text)];
     if settings.candidates.is_empty() {
         return Ok(blocks);

@@ -1,5 +1,6 @@
 //! Stock, strokes, load of the worm, time and cost.
 
+use super::limit_words::limit_in_words;
 use crate::workflow::removal::{
     CycleResult, CyclesResult, DressingFiguresResult, FlankRemovalResult, PartTimeResult, RateMapResult,
     RemovalResult, StrokeResult, ZoneLoadResult,
@@ -128,8 +129,7 @@ fn removed(strokes: &[StrokeResult], volume_mm3: f64) -> Table {
             format_fixed(most(stroke, |f| f.specific_rate_mm3_per_mm_s), 2),
             format_fixed(most(stroke, |f| f.contact_length_mm), 1),
             stroke.nearest_limit.as_ref().map_or(NONE.to_owned(), |near| {
-                let key = near.limit.rsplit('.').next().unwrap_or(near.limit);
-                format!("{:.0} % {key}", 100.0 * near.share)
+                format!("{:.0} % of {}", 100.0 * near.share, limit_in_words(near.limit))
             }),
         ]
     };
@@ -384,7 +384,7 @@ fn rate_figure(name: &str, k: usize, map: &RateMapResult) -> Result<Figure, Char
 fn indicators(result: &RemovalResult) -> Table {
     let rows = result.indicators.iter().map(|indicator| {
         vec![
-            indicator.limit.to_owned(),
+            limit_in_words(indicator.limit),
             format_fixed(indicator.value, 2),
             format_significant(indicator.allowed, 5),
             format_fixed(indicator.share, 2),

@@ -4,7 +4,7 @@ use super::content::{GrindingPage, ShownFlank};
 use super::target_amounts::TargetAmount;
 use report::charts::{format_fixed, format_significant};
 use report::{Banner, Block, Column, Fact, Table};
-use run::CharacteristicsUm;
+use run::{CharacteristicsUm, sentence};
 use verdict::Status;
 
 /// Largest of a figure over the flanks.
@@ -26,8 +26,9 @@ pub(super) fn banner(page: &GrindingPage<'_>) -> Banner {
     }];
     let reason = page.verdict.reason();
     if let Some(reason) = reason {
-        let parts = [&reason.text, &reason.way_out];
-        sentences.extend(parts.into_iter().filter(|part| !part.is_empty()).cloned());
+        sentences.push(sentence(reason));
+        let way_out = reason.way_out.trim_end_matches('.');
+        sentences.extend((!way_out.is_empty()).then(|| format!("Remedy: {way_out}.")));
     }
     let headline = sentences.join(" ");
     let mut figures = Vec::new();

@@ -63,5 +63,18 @@ fn entry_in_words(key: &str, value: &serde_json::Value) -> String {
         Some((name, "deg")) => (name, "°"),
         _ => (key, ""),
     };
-    format!("{} {text}{unit}", name.replace('_', " "))
+    let (name, text) = match (name, text.as_str()) {
+        ("corner_face", face) => return format!("corner at the {}", face.replace("non datum", "other")),
+        ("corner_profile", end) => return format!("corner at the {end}"),
+        ("length_w", _) => ("length along the profile".to_owned(), text),
+        ("length_z", _) => ("length along the tooth".to_owned(), text),
+        ("amp_0", _) => ("amplitude".to_owned(), text),
+        ("amp_uu", _) => ("growth of the amplitude to tip and root".to_owned(), text),
+        ("amp_vv", _) => ("growth of the amplitude to the faces".to_owned(), text),
+        ("rho", _) => ("direction ρ".to_owned(), text),
+        ("apex_z", _) => ("apex at z".to_owned(), text),
+        ("apex_w", _) => ("apex at w".to_owned(), text),
+        _ => (name.replace('_', " "), text),
+    };
+    format!("{name} {text}{unit}")
 }

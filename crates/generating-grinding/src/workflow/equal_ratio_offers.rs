@@ -25,6 +25,20 @@ pub struct EqualRatioOffer {
     pub keys: Vec<(&'static str, f64)>,
 }
 
+impl EqualRatioOffer {
+    /// What is changed and its value, as a page says it.
+    pub fn in_words(&self) -> String {
+        let value = |k: usize| self.keys.get(k).map_or(f64::NAN, |(_, value)| *value);
+        match self.lever {
+            "cone_angle" => format!("cone angle {:.4} deg", value(0)),
+            "profile_angle" => {
+                format!("pressure angles {:.4} deg left and {:.4} deg right", value(0), value(1))
+            }
+            _ => format!("pitch diameter {:.4} mm", value(0)),
+        }
+    }
+}
+
 /// Ratios that differ by a smaller share are the same: over a flank of 40 mm their lines part by some 4 um in place, a relief
 /// of 3 um/mm by 0.01 um in amount.
 const SAME: f64 = 1e-4;
@@ -166,7 +180,7 @@ pub fn equal_ratio_remark(setup: &GrindingSetup, targets: &Sides<Option<FlankTar
         keys.join(", ")
     };
     let others: Vec<String> =
-        offers[1..].iter().map(|o| format!("{} (ratio {:.6})", set(o), o.diagonal_ratio)).collect();
+        offers[1..].iter().map(|o| format!("{} (ratio {:.6})", o.in_words(), o.diagonal_ratio)).collect();
     let also = if others.is_empty() { String::new() } else { format!("; or {}", others.join("; or ")) };
     let not_dressed = match (&setup.tool, first.lever) {
         (Tool::Dressed(_), "cone_angle") => {
@@ -185,7 +199,7 @@ pub fn equal_ratio_remark(setup: &GrindingSetup, targets: &Sides<Option<FlankTar
              {} lays its lines onto both at {:.6}{also}",
             demanded.left,
             demanded.right,
-            set(first),
+            first.in_words(),
             first.diagonal_ratio
         ),
         way_out: format!("set {}{not_dressed}", set(first)),

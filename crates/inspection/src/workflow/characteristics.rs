@@ -72,22 +72,14 @@ pub fn characteristic_key(name: &str, flank: Option<Flank>, tooth: Option<u32>, 
     words.into_iter().flatten().collect::<Vec<_>>().join(".")
 }
 
-/// The word of a characteristic as pages print it: `fHα, left flank, mean` for `fHa.left.mean`.
+/// The word of a characteristic as pages print it: `f_Hα, left flank, mean` for `fHa.left.mean`.
 pub fn characteristic_in_words(key: &str) -> String {
     let mut words = key.split('.');
-    let symbol = words.next().unwrap_or_default();
-    let mut printed = vec![match symbol {
+    let mut printed = vec![match words.next().unwrap_or_default() {
         "x-span" => "x from the span".to_owned(),
         "x-balls" => "x over balls".to_owned(),
         "class" => "class".to_owned(),
-        _ => match symbol
-            .strip_suffix('a')
-            .map(|of| (of, 'α'))
-            .or(symbol.strip_suffix('b').map(|of| (of, 'β')))
-        {
-            Some((of @ ("fH" | "F" | "ff" | "C"), index)) => format!("{of}{index}"),
-            _ => symbol.to_owned(),
-        },
+        symbol => symbol_with_index(symbol),
     }];
     printed.extend(words.filter_map(|word| match word {
         "left" | "right" => Some(format!("{word} flank")),
@@ -100,6 +92,16 @@ pub fn characteristic_in_words(key: &str) -> String {
         }),
     }));
     printed.join(", ")
+}
+
+/// `f_Hα` for `fHa`, `F_p` for `Fp`.
+fn symbol_with_index(symbol: &str) -> String {
+    let mut letters = symbol.chars();
+    let Some(first) = letters.next() else { return String::new() };
+    let index = letters.as_str();
+    let greek = [("Ha", "Hα"), ("Hb", "Hβ"), ("fa", "fα"), ("fb", "fβ"), ("a", "α"), ("b", "β")];
+    let index = greek.iter().find(|(plain, _)| *plain == index).map_or(index, |(_, greek)| *greek);
+    if index.is_empty() { symbol.to_owned() } else { format!("{first}_{index}") }
 }
 
 /// All figures of a part: single teeth, what was made of them (slopes are judged by their mean, total and form deviations by the largest),
@@ -256,13 +258,13 @@ mod tests {
     #[test]
     fn words_of_pages_are_no_keys() {
         for (key, words) in [
-            ("fHa.left.mean", "fHα, left flank, mean"),
-            ("Fb.right.max", "Fβ, right flank, largest"),
-            ("ffb.right.tooth-18.single", "ffβ, right flank, tooth 18"),
-            ("fHa.o.left.single-2", "fHα, o, left flank, measurement 2"),
-            ("fKo.left.range", "fKo, left flank, range"),
-            ("Fr.single", "Fr"),
-            ("fp.left.single", "fp, left flank"),
+            ("fHa.left.mean", "f_Hα, left flank, mean"),
+            ("Fb.right.max", "F_β, right flank, largest"),
+            ("ffb.right.tooth-18.single", "f_fβ, right flank, tooth 18"),
+            ("fHa.o.left.single-2", "f_Hα, o, left flank, measurement 2"),
+            ("fKo.left.range", "f_Ko, left flank, range"),
+            ("Fr.single", "F_r"),
+            ("fp.left.single", "f_p, left flank"),
             ("x-span.single", "x from the span"),
         ] {
             assert_eq!(characteristic_in_words(key), words);

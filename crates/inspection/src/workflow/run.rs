@@ -37,8 +37,10 @@ pub struct GearInspection {
     pub against_target: Option<Box<(Inspection, EvaluatedGear)>>,
     /// Bands of a job.
     pub bands: Bands,
-    /// The job that the measurement was judged by, with the language of its report.
-    pub job: Option<(JobInfo, Language)>,
+    /// The job that the measurement was judged by.
+    pub job: Option<JobInfo>,
+    /// Language of report and sheet: that of the job, English without one.
+    pub language: Language,
 }
 
 /// Reads and evaluates a measurement by itself; a file that states modifications is evaluated against them. With a class of ISO 1328-1 the
@@ -86,6 +88,7 @@ pub fn inspect_gear(
         against_target: None,
         bands: Bands::default(),
         job: None,
+        language: Language::default(),
     })
 }
 
@@ -221,8 +224,16 @@ fn of_rounds(
         timing: BTreeMap::from([("all", begun.elapsed().as_secs_f64())]),
     };
     let result = gear_result(&inspection, &gear, context);
-    let job = Some((asked.info.clone(), asked.language));
-    Ok(GearInspection { result, inspection, gear, rounds, against_target, bands: asked.bands.clone(), job })
+    Ok(GearInspection {
+        result,
+        inspection,
+        gear,
+        rounds,
+        against_target,
+        bands: asked.bands.clone(),
+        job: Some(asked.info.clone()),
+        language: asked.language,
+    })
 }
 
 fn stem(path: &Path) -> String {

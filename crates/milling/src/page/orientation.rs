@@ -44,7 +44,7 @@ fn orientations(result: &OrientationResult) -> [(&'static str, String, &Orientat
 
 /// What both figures are here.
 fn sentence(flank: &str, result: &OrientationResult) -> String {
-    let machine = format!("the machine {}", result.machine);
+    let machine = format!("the machine {}", result.machine.replace('_', " "));
     let (Some(own), Some(iso)) = (result.column.reached(), result.iso.reached()) else {
         return format!("{flank}: not all orientations are within reach of {machine}.");
     };

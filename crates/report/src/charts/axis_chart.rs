@@ -160,10 +160,10 @@ fn panels(chart: &AxisChart) -> [Panel<'_>; 3] {
         range: (low, high),
         limits: travel.map_or(Vec::new(), |ends| ends.to_vec()),
         allowed: match travel {
-            Some([from, to]) => [
-                format!("travel {} .. {}", number(from), number(to)),
-                format!("{} {unit} to spare", format_significant((low - from).min(to - high), 3)),
-            ],
+            Some([from, to]) => [format!("travel {} .. {}", number(from), number(to)), {
+                let space = if unit == "deg" { "°".to_owned() } else { format!(" {unit}") };
+                format!("{}{space} to spare", format_significant((low - from).min(to - high), 3))
+            }],
             None => ["travel without ends".into(), String::new()],
         },
     };

@@ -21,21 +21,23 @@ fn share_of_em(c: char) -> f64 {
 }
 
 /// Splits a text at the indices of its symbols: pieces and whether they stand below the line. A symbol is one or two
-/// letters, an underscore and up to four letters or digits (`C_Hα`, `z_V2`); any other underscore stays as it is, so
+/// letters, with an apostrophe or without (`Q'_w`), an underscore and up to four letters or digits (`C_Hα`, `z_V2`); any other underscore stays as it is, so
 /// that names of files survive.
 pub fn indices(text: &str) -> Vec<(String, bool)> {
     let chars: Vec<char> = text.chars().collect();
     let mut pieces: Vec<(String, bool)> = vec![(String::new(), false)];
     let mut k = 0;
     while k < chars.len() {
-        let before = chars[..k].iter().rev().take_while(|c| c.is_alphanumeric() || **c == '_').count();
+        let before =
+            chars[..k].iter().rev().take_while(|c| c.is_alphanumeric() || "_'".contains(**c)).count();
         let after = chars[k + 1..].iter().take_while(|c| c.is_alphanumeric() || **c == '_').count();
         let index = &chars[(k + 1).min(chars.len())..k + 1 + after];
         let symbol = &chars[k - before..k];
         if chars[k] == '_'
-            && (1..=2).contains(&before)
+            && (1..=2).contains(&symbol.iter().filter(|c| **c != '\'').count())
             && (1..=4).contains(&after)
-            && symbol.iter().chain(index).all(|c| c.is_alphanumeric())
+            && symbol.iter().all(|c| c.is_alphanumeric() || *c == '\'')
+            && index.iter().all(|c| c.is_alphanumeric())
         {
             pieces.push((index.iter().collect(), true));
             pieces.push((String::new(), false));

@@ -30,17 +30,19 @@ impl Language {
     pub fn say(self, text: &str) -> Cow<'_, str> {
         match self {
             Self::English => Cow::Borrowed(text),
-            Self::German => {
-                Cow::Owned(decimal::with_commas(&sentences::german(text).unwrap_or_else(|| text.to_owned())))
-            }
+            Self::German => Cow::Owned(decimal::with_commas(
+                &sentences::german(text).map_or_else(|| text.to_owned(), |said| said.text),
+            )),
         }
     }
 
-    /// Whether the tables of this language know a text: as it is, or as a sentence with numbers.
-    pub fn knows(self, text: &str) -> bool {
+    /// What stays English of a text, for the test that finds missing lines of the tables: all of it, or what stands in the holes of its
+    /// sentence, where that has words.
+    pub fn leaves(self, text: &str) -> Vec<String> {
         match self {
-            Self::English => true,
-            Self::German => sentences::german(text).is_some(),
+            Self::English => Vec::new(),
+            Self::German if !sentences::has_words(text) => Vec::new(),
+            Self::German => sentences::german(text).map_or_else(|| vec![text.to_owned()], |said| said.left),
         }
     }
 }

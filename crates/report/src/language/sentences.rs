@@ -1,6 +1,7 @@
 //! Texts of the table with holes: `{n}` stands for a number, `{}` for anything, which appears in the language as well.
 
 use super::german::TEXTS;
+use std::cell::RefCell;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
@@ -58,51 +59,231 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| {
     Table { fixed, sentences }
 });
 
-/// A text in German; `None` for one that the table does not know. A capital at its beginning makes it no other text, and a list is known
-/// where all of its members are.
-pub(super) fn german(text: &str) -> Option<String> {
-    let fixed = |text: &str| TABLE.fixed.get(text).map(|german| (*german).to_owned());
-    let by = |table: &dyn Fn(&str) -> Option<String>| table(text).or_else(|| small_letter(text, table));
-    // What is fixed goes before what has holes, for a hole takes anything.
-    by(&fixed)
-        .or_else(|| list(text, &fixed))
-        .or_else(|| by(&sentence))
-        .or_else(|| list(text, &|member: &str| fixed(member).or_else(|| sentence(member))))
+/// A text in German, and what in it stayed English.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Said {
+    pub text: String,
+    pub left: Vec<String>,
 }
 
-/// A text that begins with a capital because it stands at the beginning.
-fn small_letter(text: &str, table: &dyn Fn(&str) -> Option<String>) -> Option<String> {
+impl Said {
+    fn whole(text: impl Into<String>) -> Self {
+        Self { text: text.into(), left: Vec::new() }
+    }
+
+    /// What stands in a hole: in German where the table knows it, else as it is.
+    fn of_hole(text: &str) -> Self {
+        known(text).unwrap_or_else(|| {
+            let left = if has_words(text) { vec![text.to_owned()] } else { Vec::new() };
+            Self { text: text.to_owned(), left }
+        })
+    }
+
+    /// Members joined as they were parted.
+    fn joined(members: Vec<Self>, by: &str) -> Self {
+        let texts: Vec<&str> = members.iter().map(|member| member.text.as_str()).collect();
+        let text = texts.join(by);
+        Self { text, left: members.into_iter().flat_map(|member| member.left).collect() }
+    }
+}
+
+/// English words of less than four letters that stand between numbers.
+const SHORT: [&str; 12] = ["of", "to", "at", "by", "on", "and", "per", "or", "the", "for", "is", "in"];
+
+/// Whether a text has words of a language: four letters in a row are no unit and no symbol. Names are none: those of files, of keys, and
+/// those of passes, which programs have in capitals.
+pub(super) fn has_words(text: &str) -> bool {
+    let is_name = |token: &str| {
+        let token = token.trim_end_matches(['.', ',', ';', ':', ')']);
+        token.contains(['.', '/', '_', '`']) || !token.chars().any(char::is_lowercase)
+    };
+    let is_word = |word: &str| word.chars().count() >= 4 || SHORT.contains(&word);
+    text.split_whitespace()
+        .filter(|token| !is_name(token))
+        .any(|token| token.split(|c: char| !c.is_alphabetic()).any(is_word))
+}
+
+/// A text in German; `None` for one that the table does not know. A capital at its beginning and the full stop at its end make it no other
+/// text; sentences, clauses and members of a list are known where all of them are.
+pub(super) fn german(text: &str) -> Option<Said> {
+    known(&text.replace(" um", " µm"))
+}
+
+/// Texts that were looked up, so that parts of a text are looked up once, in whatever way it is parted.
+type Seen = HashMap<String, Option<Said>>;
+
+/// More texts than this are looked up again.
+const MOST_SEEN: usize = 4096;
+
+thread_local! {
+    static SEEN: RefCell<Seen> = RefCell::new(Seen::new());
+}
+
+fn known(text: &str) -> Option<Said> {
+    if let Some(said) = SEEN.with_borrow(|seen| seen.get(text).cloned()) {
+        return said;
+    }
+    let said = looked_up(text);
+    SEEN.with_borrow_mut(|seen| {
+        if seen.len() >= MOST_SEEN {
+            seen.clear();
+        }
+        seen.insert(text.to_owned(), said.clone());
+    });
+    said
+}
+
+fn looked_up(text: &str) -> Option<Said> {
+    let fixed = |text: &str| TABLE.fixed.get(text).map(|german| Said::whole(*german));
+    // What is fixed goes before what has holes, for a hole takes anything.
+    begun(text, &fixed)
+        .or_else(|| parted(text, ", ", &fixed))
+        .or_else(|| sequence(text, &whole))
+        .or_else(|| begun(text, &sentence).filter(|said| said.left.is_empty()))
+        .or_else(|| stopped(text, &whole))
+        .or_else(|| clauses(text, &whole))
+        // Names in the holes of members stay as they are.
+        .or_else(|| sequence(text, &known_or_wordless))
+        .or_else(|| stopped(text, &known_or_wordless))
+        .or_else(|| clauses(text, &known_or_wordless))
+        .or_else(|| begun(text, &sentence))
+}
+
+/// A text as it is, or with a small letter where a capital stands because it is the beginning of a sentence.
+fn begun(text: &str, table: &dyn Fn(&str) -> Option<Said>) -> Option<Said> {
+    if let Some(said) = table(text) {
+        return Some(said);
+    }
     let mut letters = text.chars();
     let first = letters.next().filter(|c| c.is_uppercase())?;
     let small: String = first.to_lowercase().chain(letters).collect();
-    let german = table(&small)?;
-    let mut letters = german.chars();
+    let said = table(&small)?;
+    let mut letters = said.text.chars();
     let first = letters.next()?;
-    Some(first.to_uppercase().chain(letters).collect())
+    Some(Said { text: first.to_uppercase().chain(letters).collect(), left: said.left })
 }
 
-/// A list with commas whose members a table knows.
-fn list(text: &str, table: &dyn Fn(&str) -> Option<String>) -> Option<String> {
-    let members: Vec<&str> = text.split(", ").collect();
+/// A text of several members whose every one a table knows.
+fn parted(text: &str, by: &str, table: &dyn Fn(&str) -> Option<Said>) -> Option<Said> {
+    let members: Vec<&str> = text.split(by).collect();
     if members.len() < 2 {
         return None;
     }
-    let german: Option<Vec<String>> = members.into_iter().map(table).collect();
-    german.map(|members| members.join(", "))
+    let said: Option<Vec<Said>> = members.into_iter().map(table).collect();
+    said.map(|said| Said::joined(said, by))
 }
 
-/// A text with holes, what stands in them in German too.
-fn sentence(text: &str) -> Option<String> {
-    TABLE.sentences.iter().find_map(|(pattern, sentence)| {
-        let holes = holes(text, pattern)?;
-        let mut said = holes.iter().map(|hole| german(hole).unwrap_or_else(|| (*hole).to_owned()));
-        Some(sentence.split(HOLE).enumerate().fold(String::new(), |mut out, (k, piece)| {
-            if k > 0 {
-                out += &said.next().unwrap_or_default();
+/// How a member is said.
+type Member<'a> = &'a dyn Fn(&str) -> Option<Said>;
+
+/// Several sentences.
+fn sequence(text: &str, member: Member<'_>) -> Option<Said> {
+    let mut members = Vec::new();
+    let mut rest = text;
+    while let Some(at) = rest.match_indices(". ").map(|(at, _)| at).find(|at| {
+        let next = rest[at + 2..].chars().next();
+        next.is_some_and(|c| c.is_uppercase() || c.is_ascii_digit())
+    }) {
+        members.push(&rest[..=at]);
+        rest = &rest[at + 2..];
+    }
+    members.push(rest);
+    if members.len() < 2 {
+        return None;
+    }
+    let said: Option<Vec<Said>> = members.into_iter().map(member).collect();
+    said.map(|said| Said::joined(said, " "))
+}
+
+/// A text without the full stop at its end.
+fn stopped(text: &str, member: Member<'_>) -> Option<Said> {
+    let said = member(text.strip_suffix('.')?)?;
+    Some(Said { text: said.text + ".", ..said })
+}
+
+/// Clauses and lists, and what stands before and behind a colon.
+fn clauses(text: &str, member: Member<'_>) -> Option<Said> {
+    let at_colon = || {
+        let (before, after) = text.split_once(": ")?;
+        Some(Said::joined(vec![member(before)?, member(after)?], ": "))
+    };
+    let with_unit = || {
+        let (before, unit) = text.strip_suffix(']')?.rsplit_once(" [")?;
+        let said = member(before)?;
+        Some(Said { text: format!("{} [{unit}]", said.text), left: said.left })
+    };
+    let with_and = || {
+        let said = parted(text, " and ", member)?;
+        Some(Said { text: said.text.replace(" and ", " und "), left: said.left })
+    };
+    parted(text, "; ", member).or_else(|| list(text)).or_else(at_colon).or_else(with_unit).or_else(with_and)
+}
+
+/// A list whose members may have commas themselves: from its beginning on, the shortest members that the table knows.
+fn list(text: &str) -> Option<Said> {
+    let commas: Vec<usize> = text.match_indices(", ").map(|(at, _)| at).collect();
+    let member = |text: &str| {
+        let fixed = |text: &str| TABLE.fixed.get(text).map(|german| Said::whole(*german));
+        let known =
+            || begun(text, &fixed).or_else(|| begun(text, &sentence)).filter(|said| said.left.is_empty());
+        let at_colon = || {
+            let (before, after) = text.split_once(": ")?;
+            Some(Said::joined(vec![whole(before)?, begun(after, &fixed)?], ": "))
+        };
+        known().or_else(at_colon).or_else(|| (!has_words(text)).then(|| Said::whole(text)))
+    };
+    // What the rest of the list from a place on is, by the place.
+    let mut from_place: Vec<Option<Said>> = vec![None; commas.len() + 2];
+    from_place[commas.len() + 1] = Some(Said::default());
+    let starts: Vec<usize> = std::iter::once(0).chain(commas.iter().map(|at| at + 2)).collect();
+    for k in (0..starts.len()).rev() {
+        from_place[k] = (k..starts.len()).find_map(|last| {
+            let rest = from_place[last + 1].clone()?;
+            if k == 0 && last + 1 == starts.len() {
+                // The whole text is no list.
+                return None;
             }
-            out + piece
-        }))
-    })
+            let end = commas.get(last).copied().unwrap_or(text.len());
+            let said = member(&text[starts[k]..end])?;
+            let members = if last + 1 == starts.len() { vec![said] } else { vec![said, rest] };
+            Some(Said::joined(members, ", "))
+        });
+    }
+    from_place.swap_remove(0)
+}
+
+/// A member whose names stay as they are.
+fn known_or_wordless(text: &str) -> Option<Said> {
+    known(text).or_else(|| (!has_words(text)).then(|| Said::whole(text)))
+}
+
+/// A member of which nothing stays English.
+fn whole(text: &str) -> Option<Said> {
+    known_or_wordless(text).filter(|said| said.left.is_empty())
+}
+
+/// A text with holes, what stands in them in German too: the longest sentence that leaves nothing English, else the longest one.
+fn sentence(text: &str) -> Option<Said> {
+    let mut first = None;
+    for (pattern, sentence) in &TABLE.sentences {
+        let Some(holes) = holes(text, pattern) else { continue };
+        let mut said = holes.iter().map(|hole| Said::of_hole(hole));
+        let mut found = Said::default();
+        for (k, piece) in sentence.split(HOLE).enumerate() {
+            if k > 0
+                && let Some(hole) = said.next()
+            {
+                found.text += &hole.text;
+                found.left.extend(hole.left);
+            }
+            found.text += piece;
+        }
+        if found.left.is_empty() {
+            return Some(found);
+        }
+        first.get_or_insert(found);
+    }
+    first
 }
 
 /// What stands in the holes between the pieces, none of it empty; `None` for a text of another form.
@@ -150,13 +331,35 @@ mod tests {
 
     #[test]
     fn texts_are_known_at_the_beginning_of_a_sentence_and_in_lists() {
-        assert_eq!(german("Left flank").as_deref(), Some("Linke Flanke"));
-        assert_eq!(german("left flank, right flank").as_deref(), Some("linke Flanke, rechte Flanke"));
+        let said = |text| german(text).map(|said| said.text);
+        assert_eq!(said("Left flank").as_deref(), Some("Linke Flanke"));
+        assert_eq!(said("left flank, right flank").as_deref(), Some("linke Flanke, rechte Flanke"));
         assert_eq!(
-            german("Judged: left flank. Not judged: root.").as_deref(),
+            said("Judged: left flank. Not judged: root.").as_deref(),
             Some("Beurteilt: linke Flanke. Nicht beurteilt: Fuß.")
         );
-        assert_eq!(german("no text of the table, left flank"), None);
+        assert_eq!(
+            said("Left flank. Left flank: right flank.").as_deref(),
+            Some("Linke Flanke. Linke Flanke: rechte Flanke.")
+        );
+        assert_eq!(said("Left flank. Nothing that a table has."), None);
+        let items =
+            "left flank, retraction and rapids against clamping and parts of the machine, right flank";
+        assert_eq!(
+            said(items).as_deref(),
+            Some("linke Flanke, Rückzug und Eilgang gegen Spannmittel und Teile der Maschine, rechte Flanke")
+        );
+        assert_eq!(said("left flank, something that no table has, right flank"), None);
+        assert_eq!(said("no text of the table, left flank"), None);
+    }
+
+    #[test]
+    fn what_stays_english_is_named() {
+        let left = |text| german(text).map(|said| said.left);
+        assert_eq!(left("Judged: left flank."), Some(vec![]));
+        assert_eq!(left("Judged: the moon."), Some(vec!["the moon".into()]));
+        assert_eq!(left("Judged: left flank. Not judged: the moon."), Some(vec!["the moon".into()]));
+        assert_eq!(left("the moon"), None);
     }
 
     #[test]

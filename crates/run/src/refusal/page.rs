@@ -5,7 +5,7 @@ use crate::evidence::Evidence;
 use crate::job_title::JobTitle;
 use job::Diagnostic;
 use report::charts::{ChartError, format_significant};
-use report::{Banner, Block, Column, Fact, FirstPage, PlanReport, Section, Stamp, Table, html, unit};
+use report::{Banner, Block, Column, Fact, Section, Stamp, Table, html, unit};
 use serde_json::Value;
 
 /// What the page shows.
@@ -54,15 +54,9 @@ pub fn html_page(refused: &Refused<'_>, files: &[(String, &'static str)]) -> Res
     figures.extend(finding.field.as_ref().map(|field| Fact::new("Key", field.to_string())));
     let tolerance = refused.tolerance_um.map(|um| format!("{} µm", format_significant(um, 4)));
     figures.extend(tolerance.map(|text| Fact::new("Tolerance", text)));
-    Ok(html::render(&PlanReport {
-        title: refused.job.info.name.clone(),
-        subtitle: refused.job.info.description.clone(),
-        language: refused.job.language(),
-        title_block: refused.job.title_block(&refused.job.info.process.name().replace('-', " ")),
-        banner: Banner { status: Stamp::NotProducible, headline, figures },
-        first_page: FirstPage::default(),
-        sections,
-    }))
+    let head = refused.job.head(&refused.job.info.process.name().replace('-', " "));
+    let banner = Banner { status: Stamp::NotProducible, headline, figures };
+    Ok(html::render(&head.page(banner, sections)))
 }
 
 /// With a capital and a full stop.
@@ -80,7 +74,7 @@ fn body_tables(bodies: &DerivedGeometry) -> Vec<Table> {
     let text = |value: &Value| match value {
         Value::String(word) => word.clone(),
         Value::Number(number) if number.is_f64() => {
-            number.as_f64().map_or_else(String::new, |x| format_significant(x, 7))
+            number.as_f64().map_or_else(String::new, |x| format_significant(x, 6))
         }
         other => other.to_string(),
     };

@@ -12,7 +12,7 @@ pub(super) fn blocks(found: Option<&MonteCarloResult>) -> Result<Vec<Block>, Cha
         let name = &scatter.name;
         let number = |value: f64, digits| significant(name, value, digits);
         Ok(vec![
-            name.clone(),
+            name.replace("f_p,max", "f_pmax"),
             String::new(),
             unit(scatter.unit).to_owned(),
             number(scatter.mean, 5)?,

@@ -18,7 +18,7 @@ use generating_grinding::page::{
 use generating_grinding::workflow::tables::ROWS;
 use quantities::{amounts, dresser_quantities, settings_quantities, worm_lengths, worm_quantities};
 use radial_feed::Compared;
-use report::charts::ChartError;
+use report::charts::{ChartError, format_significant};
 use report::{Block, PlanReport, Section, Table, html};
 use run::{CharacteristicsUm, GrindingMotion, JobTitle};
 
@@ -122,7 +122,7 @@ fn verification(outcome: &TangentialOutcome) -> Vec<Block> {
     for (flank, run) in outcome.flanks.iter() {
         let Some(TangentialRun { refereed, sample_difference, .. }) = run else { continue };
         stages.extend(referee_stages(flank, &refereed.verdict));
-        samples.push(format!("{flank} flank {:.1e} µm", sample_difference * 1e3));
+        samples.push(format!("{flank} flank {} µm", format_significant(sample_difference * 1e3, 2)));
     }
     let sample = format!(
         "On a sample of points the rays of the gear were shortened without a surface between the stages: wherever a ray looked for the \

@@ -12,6 +12,7 @@ use flankwright_store::{CharacteristicFilter, MeasuredCharacteristic};
 use super::parts::PartsArguments;
 use super::place::failed;
 use crate::commands::measured_gear::deliver_series;
+use crate::commands::page_language::LanguageArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 
@@ -24,6 +25,9 @@ pub struct SeriesArguments {
     /// Which parts.
     #[command(flatten)]
     pub parts: PartsArguments,
+    /// Language of the page.
+    #[command(flatten)]
+    pub language: LanguageArguments,
 }
 
 /// Evaluates the parts that the filter lets through.
@@ -54,7 +58,8 @@ pub fn run(arguments: &SeriesArguments) -> Result<Exit, Failure> {
             values: of_parts.remove(&part.digest).unwrap_or_default(),
         },
     });
-    let series = series_of_stored(stored.collect());
+    let mut series = series_of_stored(stored.collect());
+    series.language = arguments.language.given().unwrap_or_default();
     deliver_series(&series, Path::new("series.inspected"), &arguments.parts.place.common)
 }
 

@@ -35,7 +35,8 @@ pub fn times(programs: Option<&RunPrograms>, removal: Option<&RemovalResult>) ->
             sheet.quantities.push(second("part", time.part_s));
         }
         None => {
-            sheet = sheet.remark("Loading and indexing: not given (stock and technology.times of the job).");
+            sheet =
+                sheet.remark("Loading and indexing: not given (`stock` and `technology.times` of the job).");
         }
     }
     if let Some(cost) = removal.and_then(|of| of.cost_per_part.as_ref()) {

@@ -3,7 +3,7 @@
 use super::listed;
 use super::station::{Moving, Resting, Station, Turning};
 use report::charts::{format_fixed, format_significant, share_of_limit};
-use report::{Column, Table};
+use report::{Column, Table, unit};
 
 pub(super) fn axis_table(station: &Station<'_>) -> Table {
     let of = |(value, most): (f64, Option<f64>)| {
@@ -13,7 +13,7 @@ pub(super) fn axis_table(station: &Station<'_>) -> Table {
     let row = |moving: &Moving<'_>| {
         let a = moving.axis;
         let role = moving.role.map_or(String::new(), |role| format!(", {}", role.key()));
-        let mut cells = vec![format!("{}{role}", a.axis), words(moving), a.unit.to_owned()];
+        let mut cells = vec![format!("{}{role}", a.axis), words(moving), unit(a.unit).into_owned()];
         let decimals = decimals_of_way(a.way);
         cells.extend([a.from, a.to, a.way].map(|x| format_fixed(x, decimals)));
         cells.extend(of((a.velocity, a.max_velocity)));
@@ -29,7 +29,10 @@ pub(super) fn axis_table(station: &Station<'_>) -> Table {
             listed(&reversed)
         ));
     }
-    let at = |r: &Resting| format!("{} at {} {}", r.axis, format_fixed(r.at, 4), r.unit);
+    let at = |r: &Resting| match r.unit {
+        "deg" => format!("{} at {}°", r.axis, format_fixed(r.at, 4)),
+        unit => format!("{} at {} {unit}", r.axis, format_fixed(r.at, 4)),
+    };
     if !station.resting.is_empty() {
         notes.push(format!(
             "Standing still: {}.",

@@ -4,10 +4,7 @@ use super::outcome::{CatalogueOutcome, CataloguePair, LifeCurve, LifePoint, Pair
 use foundation::geometry::Flank;
 use job::{Cell, Column, CsvError, CsvTable};
 use report::charts::{ChartError, LineChart, Panel, Series, Svg, format_significant, line_chart};
-use report::{
-    Banner, Block, Column as PageColumn, Fact, Figure, FirstPage, PlanReport, Section, Stamp, Table,
-    TitleBlock, html,
-};
+use report::{Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Stamp, Table, html};
 use run::{WriteError, write_study};
 use std::path::{Path, PathBuf};
 
@@ -106,12 +103,16 @@ pub fn percent(x: Option<f64>) -> String {
     fixed(x.map(|x| 100.0 * x), 0)
 }
 
-fn page(outcome: &CatalogueOutcome) -> Result<PlanReport, ChartError> {
+/// The page of a ranking.
+///
+/// # Errors
+/// [`ChartError`] for numbers that cannot be drawn.
+pub fn page(outcome: &CatalogueOutcome) -> Result<PlanReport, ChartError> {
+    let shown = if outcome.ok > 0 { "the first one of the ranking" } else { "the one that comes nearest" };
     let headline = format!(
-        "{} of {} pairs make the profile{}",
+        "{} of {} pairs make the profile. The figures are those of {shown}.",
         outcome.ok,
-        outcome.pairs.len(),
-        if outcome.ok > 0 { "; the first of the ranking:" } else { "; the nearest one:" }
+        outcome.pairs.len()
     );
     let figures = outcome.pairs.first().map_or_else(Vec::new, |pair| {
         let mut figures = vec![
@@ -160,19 +161,9 @@ fn page(outcome: &CatalogueOutcome) -> Result<PlanReport, ChartError> {
         Fact::new("Profile crowning, form to tip", wanted.join(", ")),
         Fact::new("Tolerance", format!("{} µm", format_significant(outcome.tolerance_um, 4))),
     ];
-    Ok(PlanReport {
-        title: outcome.job.clone(),
-        subtitle: Some("Worms and dressers of the catalogue".into()),
-        language: report::Language::default(),
-        title_block: TitleBlock::of_process(outcome.process.clone(), outcome.version),
-        banner: Banner {
-            status: if outcome.ok > 0 { Stamp::Study } else { Stamp::NotProducible },
-            headline,
-            figures: figures.into_iter().chain(asked).collect(),
-        },
-        first_page: FirstPage::default(),
-        sections,
-    })
+    let status = if outcome.ok > 0 { Stamp::Study } else { Stamp::NotProducible };
+    let figures = figures.into_iter().chain(asked).collect();
+    Ok(outcome.head.clone().page(Banner { status, headline, figures }, sections))
 }
 
 /// Worms down, dressers across; `None` for a catalogue that no page holds.
@@ -261,8 +252,8 @@ fn life_chart(lives: &[LifeCurve]) -> Result<Option<Svg>, ChartError> {
 fn ranking(outcome: &CatalogueOutcome) -> Table {
     let row = |p: &CataloguePair| {
         let verdict = match (&p.refused, p.life.as_ref().and_then(|life| life.ended_by.as_ref())) {
-            (Some(refused), _) => format!("{}: {}", refused.code, refused.text),
-            (None, Some(end)) => format!("makes it; ends before the worm is used up: {}", end.text),
+            (Some(refused), _) => refused.text.clone(),
+            (None, Some(end)) => format!("makes it; before the worm is used up it ends: {}", end.text),
             (None, None) => "makes it".into(),
         };
         vec![
@@ -283,7 +274,7 @@ fn ranking(outcome: &CatalogueOutcome) -> Table {
         ]
     };
     let rest = outcome.pairs.len().saturating_sub(ROWS);
-    let more = if rest > 0 { format!(" {rest} more rows stand in explore.csv.") } else { String::new() };
+    let more = if rest > 0 { format!(" More rows in explore.csv: {rest}.") } else { String::new() };
     Table {
         caption: String::new(),
         columns: vec![
@@ -304,7 +295,7 @@ fn ranking(outcome: &CatalogueOutcome) -> Table {
         ],
         rows: outcome.pairs.iter().take(ROWS).map(row).collect(),
         note: format!(
-            "Ranked: {}. Of two flanks the larger value. Limit: largest share of an axis limit. Error: largest distance from the wanted \
+            "Ranking: {}. Of two flanks the larger value. Limit: largest share of an axis limit. Error: largest distance from the wanted \
              profile. Land: largest tip land that clears the opposite flank. To: pitch diameter down to which the pair makes the profile.{more}",
             outcome.ranking
         ),
@@ -336,7 +327,7 @@ fn limits(outcome: &CatalogueOutcome) -> Table {
         caption: String::new(),
         columns: vec![PageColumn::symbols("Quantity"), PageColumn::text("Limit")],
         rows,
-        note: "Of the target the profile crowning alone is ranked; `flankwright plan` makes the whole flank with the best pair and has it \
+        note: "Of the target the profile crowning alone is ranked; planning makes the whole flank with the best pair and has it \
             proven."
             .into(),
     }

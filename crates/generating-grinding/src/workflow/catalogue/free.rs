@@ -9,7 +9,8 @@ use dressing::catalogue::{BackwardsSearch, FreeQuantity, FreeValue, WorkingRange
 use foundation::numerics::Progress;
 use job::{Diagnostic, Problem};
 use rayon::prelude::*;
-use run::RunFailure;
+use report::PageHead;
+use run::{JobTitle, RunFailure};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -64,6 +65,9 @@ impl FreePair {
 /// The document of `explore.json` of such a study.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FreeOutcome {
+    /// Head of its page.
+    #[serde(skip)]
+    pub head: PageHead,
     /// Name of the job.
     pub job: String,
     /// Process.
@@ -135,7 +139,12 @@ pub fn study_free_worm(
         |pair: &FreePair| pair.best().and_then(|best| best.largest_share_of_limit).unwrap_or(f64::INFINITY);
     pairs.sort_by(|a, b| share(a).total_cmp(&share(b)));
     let info = &loaded.job.job;
+    let title = JobTitle::new(info, loaded.job.output.language);
     Ok(FreeOutcome {
+        head: title.head(&format!(
+            "Generating grinding, dressers of the catalogue with a free {}",
+            study.free.words()
+        )),
         job: info.name.clone(),
         process: info.process.name().to_string(),
         version: env!("CARGO_PKG_VERSION"),

@@ -4,10 +4,7 @@ use super::files::{fixed, percent};
 use super::free::{FreeOutcome, FreePair, FreePoint};
 use job::{Cell, Column, CsvError, CsvTable};
 use report::charts::{ChartError, LineChart, Panel, Series, Svg, YScale, format_significant, line_chart};
-use report::{
-    Banner, Block, Column as PageColumn, Fact, Figure, FirstPage, PlanReport, Section, Stamp, Table,
-    TitleBlock, html,
-};
+use report::{Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Stamp, Table, html};
 use run::{WriteError, write_study};
 use std::path::{Path, PathBuf};
 
@@ -69,7 +66,11 @@ fn stretch(p: &FreePoint) -> Option<f64> {
     p.flanks.values().map(|f| 100.0 * f.stretch).max_by(|a, b| a.abs().total_cmp(&b.abs()))
 }
 
-fn page(outcome: &FreeOutcome) -> Result<PlanReport, ChartError> {
+/// The page of the study.
+///
+/// # Errors
+/// [`ChartError`] for numbers that cannot be drawn.
+pub fn page(outcome: &FreeOutcome) -> Result<PlanReport, ChartError> {
     let (name, unit) = quantity(outcome);
     let best = outcome.pairs.first().and_then(|pair| Some((pair, pair.best()?)));
     let figures = best.map_or_else(Vec::new, |(pair, at)| {
@@ -83,7 +84,7 @@ fn page(outcome: &FreeOutcome) -> Result<PlanReport, ChartError> {
     let mut sections = Vec::new();
     if let Some(svg) = chart(outcome)? {
         let caption = format!(
-            "Largest share of an axis limit over the {name}, for the {LINES} pairs that need least. Filled: the target is made; \
+            "Largest share of an axis limit over the {name}, for the pairs that need least, at most {LINES}. Filled: the target is made; \
              open: something forbids it."
         );
         sections.push(Section::new(
@@ -102,19 +103,12 @@ fn page(outcome: &FreeOutcome) -> Result<PlanReport, ChartError> {
         Fact::new("Range", format!("{} to {} {unit}", outcome.range[0], outcome.range[1])),
         Fact::new("Tolerance", format!("{} µm", format_significant(outcome.tolerance_um, 4))),
     ];
-    Ok(PlanReport {
-        title: outcome.job.clone(),
-        subtitle: Some(format!("Dressers of the catalogue with a free {name}")),
-        language: report::Language::default(),
-        title_block: TitleBlock::of_process(outcome.process.clone(), outcome.version),
-        banner: Banner {
-            status: if working > 0 { Stamp::Study } else { Stamp::NotProducible },
-            headline: format!("{working} of {all} pairs have a value that makes the profile"),
-            figures: figures.into_iter().chain(asked).collect(),
-        },
-        first_page: FirstPage::default(),
-        sections,
-    })
+    let banner = Banner {
+        status: if working > 0 { Stamp::Study } else { Stamp::NotProducible },
+        headline: format!("{working} of {all} pairs have a value that makes the profile."),
+        figures: figures.into_iter().chain(asked).collect(),
+    };
+    Ok(outcome.head.clone().page(banner, sections))
 }
 
 fn chart(outcome: &FreeOutcome) -> Result<Option<Svg>, ChartError> {
@@ -199,12 +193,12 @@ fn ranges(outcome: &FreeOutcome) -> Table {
 /// Why a pair has no range: at the value of least share of a limit, else of the first value.
 fn nearest(pair: &FreePair) -> String {
     if let Some(refused) = &pair.refused {
-        return format!("{}: {}", refused.code, refused.text);
+        return refused.text.clone();
     }
     let share = |p: &&FreePoint| p.largest_share_of_limit.unwrap_or(f64::INFINITY);
     let point = pair.points.iter().min_by(|a, b| share(a).total_cmp(&share(b)));
     let Some((at, refused)) = point.and_then(|p| Some((p.value, p.refused.as_ref()?))) else {
         return String::new();
     };
-    format!("at {}: {}: {}", format_significant(at, 5), refused.code, refused.text)
+    format!("at {}: {}", format_significant(at, 5), refused.text)
 }

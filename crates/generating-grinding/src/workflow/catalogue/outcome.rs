@@ -6,6 +6,8 @@ use crate::job::LoadedJob;
 use crate::workflow::explore::Refused;
 use dressing::catalogue::{FlankOfPair, LifeRow, PairFigures, RankedPair, Refusal, RemainingLife};
 use foundation::geometry::{Flank, Sides};
+use report::PageHead;
+use run::JobTitle;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -177,6 +179,9 @@ pub struct LifeCurve {
 /// The whole answer.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CatalogueOutcome {
+    /// Head of its page.
+    #[serde(skip)]
+    pub head: PageHead,
     /// Name of the job.
     pub job: String,
     /// Process.
@@ -257,7 +262,9 @@ impl CatalogueOutcome {
     ) -> Self {
         let job = &loaded.job.job;
         let pair = |(k, pair)| CataloguePair::of(k + 1, catalogue, pair);
+        let title = JobTitle::new(job, loaded.job.output.language);
         Self {
+            head: title.head("Generating grinding, worms and dressers of the catalogue"),
             job: job.name.clone(),
             process: job.process.name().to_string(),
             version: env!("CARGO_PKG_VERSION"),

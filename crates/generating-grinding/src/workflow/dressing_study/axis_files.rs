@@ -92,7 +92,7 @@ pub fn stroke_figures(curves: &[StrokeCurve]) -> Table {
     let mut columns = vec![
         PageColumn::symbols("Bodies"),
         PageColumn::number("Stroke", ""),
-        PageColumn::number("Area", ""),
+        PageColumn::number("Active area", ""),
         PageColumn::number("From", "mm"),
         PageColumn::number("To", "mm"),
     ];

@@ -12,10 +12,7 @@ use crate::workflow::explore::Refused;
 use job::{Cell, Column, CsvError, CsvTable};
 use report::charts::{ChartError, LineChart, Panel, Series, Svg, format_significant, line_chart};
 use report::kebab;
-use report::{
-    Banner, Block, Column as PageColumn, Fact, Figure, FirstPage, PlanReport, Section, Stamp, Table,
-    TitleBlock, html,
-};
+use report::{Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Stamp, Table, html};
 use run::{WriteError, write_study};
 use std::path::{Path, PathBuf};
 
@@ -157,11 +154,7 @@ fn worm_chart(
 fn worms_missing(curves: &[WormCurve]) -> Table {
     let rows = curves.iter().flat_map(|c| {
         c.missing.iter().map(|(value, refused)| {
-            vec![
-                label(&c.bodies),
-                format_significant(*value, 6),
-                format!("{}: {}", refused.code, refused.text),
-            ]
+            vec![label(&c.bodies), format_significant(*value, 6), refused.text.clone()]
         })
     });
     let rows: Vec<Vec<String>> = rows.collect();
@@ -231,7 +224,11 @@ fn profile_chart(curves: &[ProfileCurve]) -> Result<Option<Svg>, ChartError> {
     line_chart(&chart).map(Some)
 }
 
-fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
+/// The page of a study.
+///
+/// # Errors
+/// [`ChartError`] for numbers that cannot be drawn.
+pub fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
     let mut sections = Vec::new();
     let mut figure = |title: &str, id: &str, svg: Option<Svg>, caption: &str| {
         if let Some(svg) = svg {
@@ -239,7 +236,7 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
             sections.push(Section::new(kebab(title), title, vec![block]));
         }
     };
-    let (what, result) = match &outcome.curves {
+    let result = match &outcome.curves {
         StudyCurves::Crowning(curves) => {
             figure(
                 "Corrections",
@@ -250,7 +247,7 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
                     &QUANTITIES[..5],
                 )?,
                 "Three-point method with the radius map: ends and middle of the profile are met, the dresser radius made for the \
-                 largest length of roll stays there. v_zS lets the contact line pass through the middle of the profile at worm z = 0.",
+                 largest length of roll stays there. By v_zS the contact line passes through the middle of the profile at worm z = 0.",
             );
             figure(
                 "Profile",
@@ -259,7 +256,7 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
                 "P > 0: the profile is stretched. The deviation is the largest distance of the dressed profile from the parabola through \
                  its three points, normal to the flank.",
             );
-            ("profile crowning", crowning_ends(curves))
+            crowning_ends(curves)
         }
         StudyCurves::Profile(curves) => {
             figure(
@@ -267,9 +264,9 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
                 "dressed-profile",
                 profile_chart(curves)?,
                 "Each point belongs to one radius of the dresser, the same radii in all curves; the shift is how far its point on the worm \
-                 lies from the one it was made for. b is the worm z of the contact.",
+                 lies from the one it was made for. Here b is the worm z of the contact.",
             );
-            ("dressed profile", profile_figures(curves))
+            profile_figures(curves)
         }
         StudyCurves::Worms(curves) => {
             let x = if outcome.over == StudyOver::WormDiameter.name() {
@@ -301,7 +298,7 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
                 )?,
                 "The largest tip land that clears the opposite flank, and the pressure angle of the worm for which this dresser needs no stretch.",
             );
-            ("dresser on other worms", worms_missing(curves))
+            worms_missing(curves)
         }
         StudyCurves::Strokes(curves) => {
             for curve in curves {
@@ -313,7 +310,7 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
                      range. The finished profile is the least of all strokes.",
                 );
             }
-            ("dressing in several strokes", stroke_figures(curves))
+            stroke_figures(curves)
         }
         StudyCurves::Deviations(curves) => {
             figure(
@@ -322,7 +319,7 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
                 deviation_chart(curves)?,
                 "Exact change of the dressed profile against the nominal kinematics, positive = material left.",
             );
-            ("deviations of the axes", deviation_figures(curves))
+            deviation_figures(curves)
         }
     };
     sections.push(Section::new("table", "Table", vec![Block::Table(result)]));
@@ -334,19 +331,8 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
         ));
     }
     let status = if outcome.is_producible() { Stamp::Study } else { Stamp::NotProducible };
-    Ok(PlanReport {
-        title: outcome.job.clone(),
-        subtitle: Some(format!("Study of dressing: {what}")),
-        language: report::Language::default(),
-        title_block: TitleBlock::of_process(outcome.process.clone(), outcome.version),
-        banner: Banner {
-            status,
-            headline: headline(outcome),
-            figures: vec![Fact::new("Flank", outcome.flank)],
-        },
-        first_page: FirstPage::default(),
-        sections,
-    })
+    let figures = vec![Fact::new("Flank", outcome.flank)];
+    Ok(outcome.head.clone().page(Banner { status, headline: headline(outcome), figures }, sections))
 }
 
 fn headline(outcome: &DressingStudyOutcome) -> String {
@@ -358,8 +344,12 @@ fn headline(outcome: &DressingStudyOutcome) -> String {
         StudyCurves::Deviations(curves) => curves.iter().filter_map(|c| c.refused.as_ref()).collect(),
     };
     match refusals.first() {
-        None => "all bodies of the study can be dressed".into(),
-        Some(first) => format!("{} bodies of the study cannot be dressed: {}", refusals.len(), first.text),
+        None => "All bodies of the study can be dressed.".into(),
+        Some(first) => format!(
+            "Bodies of the study that cannot be dressed: {}. The first one: {}.",
+            refusals.len(),
+            first.text
+        ),
     }
 }
 
@@ -377,7 +367,7 @@ fn crowning_ends(curves: &[CrowningCurve]) -> Table {
         vec![
             label(&c.bodies),
             um(c.points.first()),
-            c.refused.as_ref().map_or_else(|| reason(&c.least), |r| format!("{}: {}", r.code, r.text)),
+            c.refused.as_ref().map_or_else(|| reason(&c.least), |r| r.text.clone()),
             um(c.points.last()),
             reason(&c.most),
             c.with_tip_land.as_ref().map_or_else(String::new, |ends| {
@@ -418,9 +408,7 @@ fn profile_figures(curves: &[ProfileCurve]) -> Table {
             Some(point) => {
                 row.extend(QUANTITIES.iter().map(|(_, _, value)| format_significant(value(point), 5)));
             }
-            None => {
-                row.push(c.refused.as_ref().map_or_else(String::new, |r| format!("{}: {}", r.code, r.text)))
-            }
+            None => row.push(c.refused.as_ref().map_or_else(String::new, |r| r.text.clone())),
         }
         row
     });

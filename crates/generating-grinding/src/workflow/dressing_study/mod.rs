@@ -22,7 +22,8 @@ use bodies::Bodies;
 use foundation::numerics::Progress;
 use job::{Diagnostic, Problem};
 use rayon::prelude::*;
-use run::{Conclusion, RunFailure, TaskOutcome, WriteError};
+use report::PageHead;
+use run::{Conclusion, JobTitle, RunFailure, TaskOutcome, WriteError};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -32,6 +33,9 @@ use worms::Along;
 /// What a study found: the document of `explore.json`.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DressingStudyOutcome {
+    /// Head of its page.
+    #[serde(skip)]
+    pub head: PageHead,
     /// Name of the job.
     pub job: String,
     /// Process.
@@ -149,7 +153,9 @@ pub fn study_dressing(
             StudyCurves::Deviations(of_each(&all, progress, |bodies| deviations::curve(bodies, flank, given)))
         }
     };
+    let title = JobTitle::new(&loaded.job.job, loaded.job.output.language);
     Ok(DressingStudyOutcome {
+        head: title.head(&format!("Generating grinding, study of dressing: {}", study.over.words())),
         job: loaded.job.job.name.clone(),
         process: loaded.job.job.process.name().to_string(),
         version: env!("CARGO_PKG_VERSION"),

@@ -4,10 +4,7 @@ use super::{ExploreCandidate, ExploreOutcome};
 use foundation::geometry::Flank;
 use job::{Cell, Column, CsvError, CsvTable};
 use report::charts::{ChartError, LineChart, Panel, Series, Svg, YScale, format_significant, line_chart};
-use report::{
-    Banner, Block, Column as PageColumn, Fact, Figure, FirstPage, PlanReport, Section, Stamp, Table,
-    TitleBlock, html,
-};
+use report::{Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Stamp, Table, html};
 use run::{WriteError, write_study};
 use std::path::{Path, PathBuf};
 
@@ -167,7 +164,7 @@ fn chart(outcome: &ExploreOutcome) -> Result<Option<(Svg, String)>, ChartError> 
     let mut caption =
         "Largest deviation from the target on the planning grid with an ideal tool. Filled: allowed; open: refused.".to_string();
     if left_out {
-        caption += &format!(" Drawn are the {LINES} worms with the best candidates.");
+        caption += &" Drawn are the worms with the best candidates only.";
     }
     Ok(Some((svg, caption)))
 }
@@ -176,15 +173,23 @@ fn figure_text(x: Option<f64>, digits: usize) -> String {
     x.map_or_else(String::new, |x| format_significant(x, digits))
 }
 
-fn page(outcome: &ExploreOutcome) -> Result<PlanReport, ChartError> {
+/// The page of a study.
+///
+/// # Errors
+/// [`ChartError`] for numbers that cannot be drawn.
+pub fn page(outcome: &ExploreOutcome) -> Result<PlanReport, ChartError> {
     let best = outcome.candidates.first();
-    let of = format!("{} of {} combinations are allowed", outcome.allowed, outcome.candidates.len());
+    let headline = format!(
+        "{} of {} combinations are allowed. The figures are those of the first one of the ranking.",
+        outcome.allowed,
+        outcome.candidates.len()
+    );
     let status = if outcome.is_producible() { Stamp::Study } else { Stamp::NotProducible };
     let figures = best.map_or_else(Vec::new, |c| {
         vec![
             Fact::new("Cone angle", format!("{}°", format_significant(c.worm_cone_angle_deg, 6))),
-            Fact::new("Crossed-axes angle", format!("{}°", figure_text(c.crossed_axes_angle_deg, 7))),
-            Fact::new("Diagonal ratio", figure_text(c.diagonal_ratio, 7)),
+            Fact::new("Crossed-axes angle", format!("{}°", figure_text(c.crossed_axes_angle_deg, 6))),
+            Fact::new("Diagonal ratio", figure_text(c.diagonal_ratio, 6)),
             Fact::new("Residual", format!("{} µm", figure_text(c.residual_um, 3))),
             Fact::new("Worm used", format!("{} mm", figure_text(c.worm_occupation_mm, 4))),
         ]
@@ -206,29 +211,18 @@ fn page(outcome: &ExploreOutcome) -> Result<PlanReport, ChartError> {
     }
     sections.push(Section::new("ranking", "Ranking", vec![Block::Table(ranking(outcome))]));
     let tolerance = Fact::new("Tolerance", format!("{} µm", format_significant(outcome.tolerance_um, 4)));
-    Ok(PlanReport {
-        title: outcome.job.clone(),
-        subtitle: Some("Study of worm and diagonal ratio".into()),
-        language: report::Language::default(),
-        title_block: TitleBlock::of_process(outcome.process.clone(), outcome.version),
-        banner: Banner {
-            status,
-            headline: format!("{of}; the first of the ranking:"),
-            figures: figures.into_iter().chain([tolerance]).collect(),
-        },
-        first_page: FirstPage::default(),
-        sections,
-    })
+    let figures = figures.into_iter().chain([tolerance]).collect();
+    Ok(outcome.head.clone().page(Banner { status, headline, figures }, sections))
 }
 
 fn levers(outcome: &ExploreOutcome) -> Table {
-    let rows = outcome.levers.iter().map(|offer| {
-        let keys: Vec<String> = offer.keys.iter().map(|(key, value)| format!("{key} = {value}")).collect();
-        vec![keys.join(", "), offer.diagonal_ratio.to_string()]
-    });
+    let rows = outcome
+        .levers
+        .iter()
+        .map(|offer| vec![offer.in_words(), format_significant(offer.diagonal_ratio, 6)]);
     Table {
         caption: String::new(),
-        columns: vec![PageColumn::text("Keys of the job"), PageColumn::number("K", "")],
+        columns: vec![PageColumn::text("Worm with"), PageColumn::number("K", "")],
         rows: rows.collect(),
         note: "Tool lines as given in the job, else along the generatrix; dressed lines shift the values slightly.".into(),
     }
@@ -239,18 +233,18 @@ fn ranking(outcome: &ExploreOutcome) -> Table {
         vec![
             c.rank.to_string(),
             format_significant(c.worm_cone_angle_deg, 6),
-            figure_text(c.crossed_axes_angle_deg, 7),
-            figure_text(c.diagonal_ratio, 7),
+            figure_text(c.crossed_axes_angle_deg, 6),
+            figure_text(c.diagonal_ratio, 6),
             figure_text(c.residual_um, 4),
             figure_text(c.score, 3),
             figure_text(c.worm_occupation_mm, 5),
             figure_text(c.least_determinant_ratio, 3),
             figure_text(c.demanded_ratio_difference, 4),
-            c.refused.as_ref().map_or_else(|| "allowed".into(), |r| format!("{}: {}", r.code, r.text)),
+            c.refused.as_ref().map_or_else(|| "allowed".into(), |r| r.text.clone()),
         ]
     });
     let rest = outcome.candidates.len().saturating_sub(ROWS);
-    let more = if rest > 0 { format!(" {rest} more rows stand in explore.csv.") } else { String::new() };
+    let more = if rest > 0 { format!(" More rows in explore.csv: {rest}.") } else { String::new() };
     Table {
         caption: String::new(),
         columns: vec![
@@ -266,6 +260,6 @@ fn ranking(outcome: &ExploreOutcome) -> Table {
             PageColumn::text("Verdict"),
         ],
         rows: rows.collect(),
-        note: format!("Ranked: {}.{more}", outcome.ranking),
+        note: format!("Ranking: {}.{more}", outcome.ranking),
     }
 }

@@ -18,7 +18,8 @@ use foundation::numerics::Progress;
 use generating::PlanTask;
 use job::Diagnostic;
 use rayon::prelude::*;
-use run::RunFailure;
+use report::PageHead;
+use run::{JobTitle, RunFailure};
 use schemars::JsonSchema;
 use serde::Serialize;
 use variant::Variant;
@@ -33,6 +34,9 @@ pub const RANKING: &str = "allowed before refused before failed; among allowed a
 /// What a study found: the document of `explore.json`.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ExploreOutcome {
+    /// Head of its page.
+    #[serde(skip)]
+    pub head: PageHead,
     /// Name of the job.
     pub job: String,
     /// Process.
@@ -121,7 +125,9 @@ pub fn explore_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Explor
         ("diagonal_ratio", nothing || explore.diagonal_ratio.is_some()),
     ];
     varied.extend(varies.iter().filter(|(_, varies)| *varies).map(|(name, _)| *name));
+    let title = JobTitle::new(&loaded.job.job, loaded.job.output.language);
     Ok(ExploreOutcome {
+        head: title.head("Generating grinding, study of worm and diagonal ratio"),
         job: loaded.job.job.name.clone(),
         process: loaded.job.job.process.name().to_string(),
         version: env!("CARGO_PKG_VERSION"),

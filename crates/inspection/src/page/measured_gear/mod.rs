@@ -15,7 +15,7 @@ mod tests_table;
 use crate::workflow::{GearInspection, GearInspectionResult, LinesResult, RoundResult};
 use generating_grinding::job::Job;
 use job::ProcessJob;
-use job::tables::{JobInfo, Language, ProcessName};
+use job::tables::{JobInfo, ProcessName};
 use report::charts::ChartError;
 use report::head::scope_blocks;
 use report::{Block, Column, PlanReport, Section, Table, html};
@@ -36,7 +36,7 @@ pub fn html_page(found: &GearInspection, files: &[(String, &'static str)]) -> Re
 pub fn page(found: &GearInspection, files: &[(String, &'static str)]) -> Result<PlanReport, ChartError> {
     let result = &found.result;
     let sections = sections(result)?;
-    let (info, language) = title(found);
+    let info = title(found);
     let answer = Answer {
         process: "Inspection of a gear",
         status: result.verdict.status(),
@@ -46,16 +46,15 @@ pub fn page(found: &GearInspection, files: &[(String, &'static str)]) -> Result<
         figures: answer::figures(result),
         first_page: first_page::first_page(found)?,
     };
-    Ok(report_head(JobTitle::new(&info, language), answer, files).page(sections))
+    Ok(report_head(JobTitle::new(&info, found.language), answer, files).page(sections))
 }
 
 /// Title block of the job, completed by what the measured files tell; that of the files for a measurement by itself.
-fn title(found: &GearInspection) -> (JobInfo, Language) {
+fn title(found: &GearInspection) -> JobInfo {
     let result = &found.result;
     let told = |key: &str| result.head.get(key).cloned();
-    let (asked, language) = found.job.clone().unzip();
-    let asked = asked.unwrap_or_else(|| JobInfo::named(&result.job, ProcessName::new(Job::NAME)));
-    let info = JobInfo {
+    let asked = found.job.clone().unwrap_or_else(|| JobInfo::named(&result.job, ProcessName::new(Job::NAME)));
+    JobInfo {
         name: result.job.clone(),
         description: told("name").or(asked.description),
         part_number: told("part").or(asked.part_number),
@@ -64,8 +63,7 @@ fn title(found: &GearInspection) -> (JobInfo, Language) {
         // The machine that measured, not the one that made the gear.
         machine_name: told("machine"),
         ..asked
-    };
-    (info, language.unwrap_or_default())
+    }
 }
 
 /// Sections without data are left out.

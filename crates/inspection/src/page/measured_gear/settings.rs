@@ -38,7 +38,13 @@ pub(super) fn change_on_the_machine(of: &CorrectionResult, half_mm: f64) -> Vec<
             if !shown {
                 continue;
             }
-            let power = if k == 0 { unit.to_owned() } else { format!("{unit}/mm^{k}") };
+            let power = match k {
+                0 => unit.to_owned(),
+                1 => format!("{unit}/mm"),
+                2 => format!("{unit}/mm²"),
+                3 => format!("{unit}/mm³"),
+                _ => format!("{unit}/mm⁴"),
+            };
             rows.push(Quantity::number(
                 &format!("coefficient of z_V2 to the power {k}"),
                 symbol,

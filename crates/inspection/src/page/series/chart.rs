@@ -89,7 +89,7 @@ fn rings(of: &SeriesCharacteristic, figures: &SeriesFigures) -> Series {
         let at = [of.parts[place] as f64, of.values[place]];
         match rings.iter_mut().find(|(known, _)| *known == at) {
             Some((_, text)) => {
-                text.push(' ');
+                text.push_str(", ");
                 text.push_str(mark(stretch));
             }
             None => rings.push((at, mark(stretch).into())),

@@ -2,7 +2,8 @@
 
 use crate::workflow::LeftOutFile;
 use crate::workflow::series::{InspectionSeries, RefusedFile};
-use report::{FirstPage, ReportHead, TitleBlock, Warning};
+use report::{PageHead, ReportHead, TitleBlock, Warning};
+use run::page_language;
 use verdict::Status;
 
 /// Whether anything has limits.
@@ -35,6 +36,8 @@ pub(super) fn head(series: &InspectionSeries) -> ReportHead {
         0 => judged,
         _ => format!("{judged} Parts that lack something the class needs: {unjudged}."),
     };
+    let language = page_language(series.language);
+    let stated = format!("Stated about the measurements: {}.", result.stated.join("; "));
     let mut files = vec![
         ("series.json".to_owned(), "all figures".to_owned()),
         ("series.csv".into(), "every value of every part".into()),
@@ -44,7 +47,7 @@ pub(super) fn head(series: &InspectionSeries) -> ReportHead {
         files.push(("sheets/".into(), "the inspection sheet of every part".into()));
     }
     let refused = |file: &RefusedFile| Warning {
-        text: format!("{}: not evaluated: {} [{}]", file.file, file.message, file.code),
+        text: format!("{}: not evaluated: {}", file.file, file.message),
         way_out: file.way_out.clone(),
     };
     let left_out = |file: &LeftOutFile| Warning {
@@ -52,12 +55,13 @@ pub(super) fn head(series: &InspectionSeries) -> ReportHead {
         way_out: String::new(),
     };
     ReportHead {
-        job_name: "Series of measured parts".into(),
-        description: (!result.stated.is_empty())
-            .then(|| format!("Stated about the measurements: {}.", result.stated.join("; "))),
-        language: report::Language::default(),
-        title_block: TitleBlock::of_process("Inspection of a series", result.version),
-        first_page: FirstPage::default(),
+        head: PageHead {
+            title: language.say("Series of measured parts").into_owned(),
+            description: (!result.stated.is_empty()).then(|| language.say(&stated).into_owned()),
+            language,
+            title_block: TitleBlock::of_process("Inspection of a series", result.version),
+            ..PageHead::default()
+        },
         status: result.verdict.status().into(),
         headline: match parts {
             1 => format!("1 part evaluated. {judged}"),

@@ -37,7 +37,8 @@ fn section(group: &SeriesGroupResult) -> Result<Section, ChartError> {
     blocks.push(Block::Table(tables::parts(group)));
     for of in &group.characteristics {
         if let Some(svg) = chart::chart(of)? {
-            let id = kebab(&format!("{} {}", name(of), unit(of)));
+            // The id was there before the index stood below the line.
+            let id = kebab(&format!("{} {}", name(of).replace('_', ""), unit(of)));
             blocks.push(Block::Figure(Figure::new(id, svg, caption(of))));
         }
     }

@@ -95,7 +95,7 @@ pub(super) fn capability(group: &SeriesGroupResult) -> Option<Table> {
         ],
         rows,
         note: "Cp and Cpk by the standard deviation of all parts (where the process is not in control they are called Pp and Ppk); MR: by the \
-               distances of neighbouring parts, without drifts and jumps. One limit gives the index of its side and no Cp. outside: share \
+               distances of neighbouring parts, without drifts and jumps. One limit gives the index of its side and no Cp. Outside: share \
                beyond the limits if the values follow a normal law; largest values and ranges seldom do."
             .into(),
     })
@@ -132,7 +132,7 @@ pub(super) fn trends(group: &SeriesGroupResult) -> Table {
     meanings.sort_unstable();
     meanings.dedup();
     let meanings: Vec<String> =
-        meanings.into_iter().map(|(mark, meaning)| format!("{mark}: {meaning}.")).collect();
+        meanings.into_iter().map(|(mark, meaning)| format!("{}: {meaning}.", capital(mark))).collect();
     Table {
         caption: "Trends and special causes".into(),
         columns: vec![
@@ -148,6 +148,13 @@ pub(super) fn trends(group: &SeriesGroupResult) -> Table {
             meanings.join(" ")
         ),
     }
+}
+
+/// With a capital at its beginning.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
+    first + letters.as_str()
 }
 
 /// The parts with their sheets.

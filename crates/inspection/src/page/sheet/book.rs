@@ -1,7 +1,9 @@
 //! The pages of a sheet in the making, their lines and texts in millimetres, and the remarks that found no room.
 
 use super::text_fit::{beginning, fitting_size};
+use report::Language;
 use report::charts::{Anchor, Canvas, INK, MUTED, Stroke, TextStyle, text_width};
+use std::borrow::Cow;
 
 /// Size of a page.
 pub(super) const PAGE: [f64; 2] = [210.0, 297.0];
@@ -35,19 +37,31 @@ pub(super) const DASHED: Stroke = Stroke { color: INK, width: 0.18, dash: "1.2 0
 /// Pages and remarks.
 pub(super) struct Book {
     title: String,
+    language: Language,
     pages: Vec<(String, Canvas)>,
     remarks: Vec<String>,
 }
 
 impl Book {
     /// Without a page.
-    pub fn new(title: &str) -> Self {
-        Self { title: title.to_owned(), pages: Vec::new(), remarks: Vec::new() }
+    pub fn new(title: &str, language: Language) -> Self {
+        Self { title: title.to_owned(), language, pages: Vec::new(), remarks: Vec::new() }
+    }
+
+    /// A text of the sheet itself in its language.
+    pub fn say<'a>(&self, text: &'a str) -> Cow<'a, str> {
+        self.language.say(text)
+    }
+
+    /// A text of the sheet itself.
+    pub fn text(&mut self, at: [f64; 2], text: &str, style: TextStyle) {
+        let said = self.say(text).into_owned();
+        self.page().text(at, &said, style);
     }
 
     /// Begins a page.
     pub fn turn(&mut self, name: &str) {
-        let title = format!("Inspection sheet {}, {name}", self.title);
+        let title = format!("{} {}, {}", self.say("Inspection sheet"), self.title, self.say(name));
         self.pages.push((name.to_owned(), Canvas::millimetres(PAGE[0], PAGE[1], &title)));
     }
 
@@ -82,8 +96,9 @@ impl Book {
 
     /// A text of the sheet itself or a number: set smaller where it would be too wide, never cut.
     pub fn fitted(&mut self, at: [f64; 2], width: f64, text: &str, style: TextStyle) {
-        let size = fitting_size(text, style.size, width);
-        self.page().text(at, text, TextStyle { size, ..style });
+        let text = self.say(text).into_owned();
+        let size = fitting_size(&text, style.size, width);
+        self.page().text(at, &text, TextStyle { size, ..style });
     }
 
     /// Words of a file: set smaller, and where that does not do, their beginning with the mark of a remark that holds all of it.
@@ -93,7 +108,8 @@ impl Book {
             self.page().text(at, text, TextStyle { size, ..style }.verbatim());
             return;
         }
-        let mark = format!(" {}", self.remark(format!("{label}: {text}")));
+        let whole = format!("{}: {text}", self.say(label));
+        let mark = format!(" {}", self.remark(whole));
         let room = width - text_width(&mark, style.size);
         let short = beginning(text, style.size, room) + &mark;
         self.page().text(at, &short, style.verbatim());

@@ -3,11 +3,14 @@
 use super::limits::SheetLimits;
 use super::traces_data::TraceRow;
 use foundation::geometry::{Flank, Sides};
+use report::Language;
 use report::data::Fact;
 
 /// Everything on the sheet of one gear.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SheetData {
+    /// Its language; all texts are composed in English.
+    pub language: Language,
     /// What the sheet is of, usually the number of the part.
     pub title: String,
     /// What made the sheet: name and version.

@@ -39,7 +39,7 @@ pub(super) fn draw_field(book: &mut Book, row: &PlacedRow, place: &FlankPlace) {
         mean_lines.extend(trace.mean_line.map(|ends| ends.map(at).to_vec()));
         book.page().polylines(&curves(trace, at), TRACE);
         let y = row.top + TOOTH_LINE;
-        book.page().text([x, y], &trace.tooth.to_string(), centred(LABEL));
+        book.text([x, y], &trace.tooth.to_string(), centred(LABEL));
         if let Some(band) = &trace.band {
             draw_mark(book, [x + 3.4, y - 0.8], band.passed);
         }
@@ -100,10 +100,10 @@ fn draw_bars(book: &mut Book, row: &PlacedRow, place: &FlankPlace) {
     book.page().polylines(&[corner, end(inner), cap], bar);
     let style = if place.flank == Flank::Left { from_left(LABEL) } else { from_right(LABEL) };
     let text = format!("{} µm", format_significant(um, 3));
-    book.page().text([place.outward(FIELD - 1.8 - across), y + 0.7], &text, style);
+    book.text([place.outward(FIELD - 1.8 - across), y + 0.7], &text, style);
     let text = format!("{} mm", format_significant(mm, 3));
     let x = place.outward(FIELD - 1.9) + if place.flank == Flank::Left { 1.4 } else { 0.0 };
     let upright = report::charts::TextStyle { color: MUTED, ..from_left(LABEL) }.turned(-90.0);
     let from = (y - 0.9).min(row.top + DIAGRAM);
-    book.page().text([x, from], &text, upright);
+    book.text([x, from], &text, upright);
 }

@@ -42,6 +42,6 @@ impl FlankPlace {
         book.page().line([tail, y], [tip, y], TRACE);
         book.page().polylines(&[vec![[barb, y - 0.7], [tip, y], [barb, y + 0.7]]], TRACE);
         let style = if self.flank == Flank::Left { from_left(LABEL) } else { from_right(LABEL) };
-        book.page().text([self.outward(FIELD - 5.8), y + 0.8], "material", style.muted());
+        book.text([self.outward(FIELD - 5.8), y + 0.8], "material", style.muted());
     }
 }

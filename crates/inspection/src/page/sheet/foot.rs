@@ -20,7 +20,7 @@ pub(super) fn draw(book: &mut Book, foot: &SheetFoot, top: f64) {
     for ([left, width], title) in COLUMNS.iter().zip(["Sizes", "Result", "Warnings"]) {
         let left = MARGIN + left;
         book.page().rect([left, top], [*width, bottom - top], "none", Some(THIN));
-        book.page().text([left + 1.0, top + 3.0], title, from_left(TEXT).bold());
+        book.text([left + 1.0, top + 3.0], title, from_left(TEXT).bold());
     }
     sizes(book, &foot.sizes, top, bottom);
     results(book, foot, top, bottom);
@@ -32,11 +32,11 @@ fn sizes(book: &mut Book, sizes: &[SheetSize], top: f64, bottom: f64) {
     let left = MARGIN + left;
     let ends = [40.5, 55.5, 70.5].map(|x| left + x);
     if sizes.is_empty() {
-        book.page().text([left + 1.0, top + 8.0], "not measured", from_left(TEXT));
+        book.text([left + 1.0, top + 8.0], "not measured", from_left(TEXT));
         return;
     }
     for (x, word) in ends.iter().zip(["mean mm", "min mm", "max mm"]) {
-        book.page().text([x - 0.8, top + 3.0], word, from_right(LABEL).muted());
+        book.text([x - 0.8, top + 3.0], word, from_right(LABEL).muted());
     }
     let pitch = ROW.min((bottom - top - HEADING) / sizes.len() as f64);
     let size = TEXT.min(0.82 * pitch);
@@ -80,7 +80,7 @@ fn warnings(book: &mut Book, warnings: &[String], top: f64, bottom: f64) {
     let [left, width] = COLUMNS[2];
     let left = MARGIN + left;
     if warnings.is_empty() {
-        book.page().text([left + 1.0, top + 8.0], "none", from_left(TEXT));
+        book.text([left + 1.0, top + 8.0], "none", from_left(TEXT));
         return;
     }
     let most = ((bottom - top - HEADING - 0.4) / FINE).floor() as usize;
@@ -92,14 +92,15 @@ fn warnings(book: &mut Book, warnings: &[String], top: f64, bottom: f64) {
     let mut more = 0;
     for (text, lines) in warnings.iter().zip(&lines) {
         if used + lines.len() > room {
-            book.remark(format!("Warning: {text}"));
+            let whole = format!("{}: {text}", book.say("Warning"));
+            book.remark(whole);
             more += 1;
             continue;
         }
         for (k, line) in lines.iter().enumerate() {
             let y = top + HEADING + FINE * ((used + k) as f64 + 0.75);
             if k == 0 {
-                book.page().text([left + 1.0, y], "·", from_left(LABEL).bold());
+                book.text([left + 1.0, y], "·", from_left(LABEL).bold());
             }
             book.page().text([left + 2.2, y], line, from_left(LABEL).verbatim());
         }
@@ -107,7 +108,7 @@ fn warnings(book: &mut Book, warnings: &[String], top: f64, bottom: f64) {
     }
     if more > 0 {
         let y = top + HEADING + FINE * (most as f64 - 0.25);
-        let text = format!("{more} more among the remarks on the last page");
+        let text = format!("further ones among the remarks on the last page: {more}");
         book.fitted([left + 2.2, y], width - 4.0, &text, from_left(LABEL).bold());
     }
 }

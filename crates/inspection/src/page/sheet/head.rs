@@ -21,7 +21,7 @@ pub(super) fn draw(book: &mut Book, sheet: &SheetData, page: &str) {
     book.page().rect([MARGIN, top], [WIDTH, HEIGHT], "none", Some(THIN));
     book.page().line([MARGIN, top + TITLE], [MARGIN + WIDTH, top + TITLE], THIN);
     let y = top + 3.8;
-    book.page().text([MARGIN + 1.5, y], "Inspection sheet", from_left(3.2).bold());
+    book.text([MARGIN + 1.5, y], "Inspection sheet", from_left(3.2).bold());
     let name = [MARGIN + 30.0, y];
     book.words(name, 120.0, ["Part", &sheet.title], from_left(3.2).bold());
     book.fitted([MARGIN + WIDTH - 1.5, y], 36.0, page, from_right(TEXT));
@@ -36,11 +36,12 @@ fn draw_column(book: &mut Book, facts: &[Fact], [left, width]: [f64; 2], top: f6
     let pitch = PITCH.min(room / shown.max(1) as f64);
     let size = TEXT.min(0.8 * pitch);
     let label_size = LABEL.min(size);
-    let widest = facts.iter().map(|fact| text_width(&fact.label, label_size)).fold(0.0, f64::max);
+    let widest = facts.iter().map(|fact| text_width(&book.say(&fact.label), label_size)).fold(0.0, f64::max);
     let beside = (widest + 1.5).min(0.45 * width);
     for (k, fact) in facts.iter().enumerate() {
         if k >= MOST {
-            book.remark(format!("{}: {}", fact.label, fact.text));
+            let whole = format!("{}: {}", book.say(&fact.label), fact.text);
+            book.remark(whole);
             continue;
         }
         let y = top + pitch * (k as f64 + 0.85);

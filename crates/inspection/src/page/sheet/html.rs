@@ -1,6 +1,7 @@
 //! Pages in one HTML file that prints one page a sheet: no script, no network.
 
 use super::pages::SheetPage;
+use report::Language;
 use report::charts::escape;
 use std::fmt::Write;
 
@@ -18,12 +19,17 @@ body { background: #d9dcdf; }
 ";
 
 /// Pages of one or of many sheets as a file of its own, one page of paper each; their margins are in the pages.
-pub fn sheet_html<'a>(title: &str, pages: impl IntoIterator<Item = &'a SheetPage>) -> String {
+pub fn sheet_html<'a>(
+    title: &str,
+    language: Language,
+    pages: impl IntoIterator<Item = &'a SheetPage>,
+) -> String {
     let mut html = String::with_capacity(1 << 18);
     let _ = write!(
         html,
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{} – flankwright</title>\n\
+        "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<title>{} – flankwright</title>\n\
          <style>\n{STYLE}</style>\n</head>\n<body>\n",
+        language.code(),
         escape(title)
     );
     for page in pages {

@@ -21,6 +21,7 @@ mod pitch_row;
 mod pitch_strip;
 mod reach;
 mod remarks;
+mod said;
 mod text_fit;
 mod topography;
 mod topography_net;

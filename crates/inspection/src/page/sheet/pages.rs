@@ -27,7 +27,8 @@ pub struct SheetPage {
 /// [`ChartError`] for infinite numbers, lists of different length, places that do not ascend; the error names the trace.
 pub fn sheet_pages(sheet: &SheetData) -> Result<Vec<SheetPage>, ChartError> {
     check(sheet)?;
-    let mut book = Book::new(&sheet.title);
+    let sheet = &sheet.said();
+    let mut book = Book::new(&sheet.title, sheet.language);
     let first = [LaidRow::new(&sheet.profiles), LaidRow::new(&sheet.helices)];
     first_page(&mut book, sheet, &first);
     let more: Vec<LaidRow> = sheet.further.iter().map(LaidRow::new).collect();
@@ -43,7 +44,7 @@ pub fn sheet_pages(sheet: &SheetData) -> Result<Vec<SheetPage>, ChartError> {
     }
     topography::draw(&mut book, sheet);
     remarks::draw(&mut book, sheet);
-    Ok(finished(book, &sheet.product))
+    Ok(finished(book, sheet))
 }
 
 fn below_head() -> f64 {
@@ -63,13 +64,13 @@ fn first_page(book: &mut Book, sheet: &SheetData, rows: &[LaidRow; 2]) {
 }
 
 /// Page numbers and what made the sheet.
-fn finished(book: Book, product: &str) -> Vec<SheetPage> {
+fn finished(book: Book, sheet: &SheetData) -> Vec<SheetPage> {
     let pages = book.into_pages();
     let count = pages.len();
     let numbered = pages.into_iter().enumerate().map(|(k, (name, mut canvas))| {
         let text = format!("page {} of {count}", k + 1);
-        canvas.text([MARGIN + WIDTH, BOTTOM], &text, from_right(LABEL));
-        canvas.text([MARGIN, BOTTOM], product, from_left(LABEL).muted().verbatim());
+        canvas.text([MARGIN + WIDTH, BOTTOM], &sheet.language.say(&text), from_right(LABEL));
+        canvas.text([MARGIN, BOTTOM], &sheet.product, from_left(LABEL).muted().verbatim());
         SheetPage { name, svg: canvas.finish() }
     });
     numbered.collect()

@@ -23,7 +23,7 @@ const CLEAR: f64 = 0.4;
 
 /// Draws the row with its top at y.
 pub(super) fn draw(book: &mut Book, pitch: &SheetPitch, top: f64) {
-    book.page().text([MARGIN, top + 2.6], "Pitch and run-out", from_left(TEXT).bold());
+    book.text([MARGIN, top + 2.6], "Pitch and run-out", from_left(TEXT).bold());
     book.words([MARGIN + 32.0, top + 2.6], VALUES - 34.0, ["Pitch", &pitch.words], from_left(LABEL));
     let fp = pitch.flanks.iter().flat_map(|(_, of)| of.iter().flat_map(|of| &of.single_um));
     let cumulative = pitch.flanks.iter().flat_map(|(_, of)| of.iter());
@@ -69,7 +69,7 @@ fn label(book: &mut Book, strip: &Strip, lines: &[String]) {
 fn not_measured(book: &mut Book, strip: &Strip, name: &str) {
     label(book, strip, &[name.to_owned()]);
     let at = [strip.left + 0.5 * strip.width, strip.middle() + 0.9];
-    book.page().text(at, "not measured", centred(TEXT));
+    book.text(at, "not measured", centred(TEXT));
 }
 
 fn draw_flank(book: &mut Book, strip: &Strip, of: &SheetPitchFlank, [fp, cumulative]: [f64; 2]) {
@@ -118,7 +118,7 @@ fn scale_bar(book: &mut Book, strip: &Strip, scale: f64) {
     let ends = [low, high].map(|y| vec![[x - 0.5, y], [x + 0.5, y]]);
     let [foot, head] = ends;
     book.page().polylines(&[vec![[x, low], [x, high]], foot, head], THIN);
-    book.page().text([x - 1.0, low], &format!("{} µm", format_significant(um, 2)), from_right(LABEL));
+    book.text([x - 1.0, low], &format!("{} µm", format_significant(um, 2)), from_right(LABEL));
 }
 
 fn draw_values(book: &mut Book, values: &[SheetValue], [top, height]: [f64; 2]) {
@@ -140,7 +140,7 @@ fn draw_axis(book: &mut Book, pitch: &SheetPitch, top: f64) {
     for tooth in tooth_steps(teeth) {
         let x = strip.x(tooth as f64);
         book.page().line([x, top], [x, top + 0.6], GRID);
-        book.page().text([x, top + 2.6], &tooth.to_string(), centred(LABEL));
+        book.text([x, top + 2.6], &tooth.to_string(), centred(LABEL));
     }
-    book.page().text([MARGIN, top + 2.6], "tooth", from_left(LABEL).muted());
+    book.text([MARGIN, top + 2.6], "tooth", from_left(LABEL).muted());
 }

@@ -109,7 +109,7 @@ pub(super) fn draw_sector(book: &mut Book, strip: &Strip, [pitches, behind]: [us
         0.5 * (strip.left + strip.x((end - strip.teeth) as f64))
     };
     let middle = wide.clamp(strip.left + 4.0, strip.left + strip.width - 4.0);
-    book.page().text([middle, y - 0.6], &format!("k = {pitches}"), centred(0.9 * LABEL));
+    book.text([middle, y - 0.6], &format!("k = {pitches}"), centred(0.9 * LABEL));
 }
 
 /// Teeth whose numbers are printed: the first, round ones, the last.

@@ -25,7 +25,7 @@ pub(super) fn draw(book: &mut Book, sheet: &SheetData) {
                 y = begin(book, sheet);
             }
             if k == 0 {
-                book.page().text([MARGIN + 1.0, y], &mark, from_left(LABEL).bold());
+                book.text([MARGIN + 1.0, y], &mark, from_left(LABEL).bold());
             }
             book.page().text([MARGIN + 12.0, y], line, from_left(LABEL).verbatim());
             y += PITCH;
@@ -38,6 +38,6 @@ pub(super) fn draw(book: &mut Book, sheet: &SheetData) {
 fn begin(book: &mut Book, sheet: &SheetData) -> f64 {
     book.turn("remarks");
     head::draw(book, sheet, "remarks");
-    book.page().text([MARGIN, TOP - 3.2], "Remarks", from_left(TEXT).bold());
+    book.text([MARGIN, TOP - 3.2], "Remarks", from_left(TEXT).bold());
     TOP + 1.5
 }

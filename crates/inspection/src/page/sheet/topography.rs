@@ -40,7 +40,7 @@ pub(super) fn draw(book: &mut Book, sheet: &SheetData) {
                     Some(field) => draw_field(book, field, [x, y], [width, height]),
                     None => {
                         let at = [x + 0.5 * width, y + 0.5 * height];
-                        book.page().text(at, "not measured", centred(TEXT));
+                        book.text(at, "not measured", centred(TEXT));
                     }
                 }
             }
@@ -102,5 +102,5 @@ fn scale_bar(book: &mut Book, [x, y]: [f64; 2], magnification: f64, flank: Flank
     };
     book.page().line(from, to, Stroke::solid(INK, 0.35));
     let text = format!("{} µm material", format_significant(um, 3));
-    book.page().text([x + d + 1.5, y + 0.5 * d + 0.8], &text, from_left(LABEL));
+    book.text([x + d + 1.5, y + 0.5 * d + 0.8], &text, from_left(LABEL));
 }

@@ -125,9 +125,9 @@ impl Net<'_> {
                 let reach = if value.is_finite() { reach } else { 1.5 };
                 let y = if below { y + 1.2 } else { y - 0.2 };
                 if at_left {
-                    book.page().text([x - reach, y], &text, from_right(LABEL).bold());
+                    book.text([x - reach, y], &text, from_right(LABEL).bold());
                 } else {
-                    book.page().text([x + reach, y], &text, from_left(LABEL).bold());
+                    book.text([x + reach, y], &text, from_left(LABEL).bold());
                 }
             }
         }

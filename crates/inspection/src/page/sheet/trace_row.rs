@@ -28,7 +28,7 @@ impl LaidRow<'_> {
                 draw_table(book, &placed, &place, [left, top + DIAGRAM]);
             } else {
                 let at = [left + 0.5 * FIELD, top + 0.5 * DIAGRAM];
-                book.page().text(at, "not measured", centred(TEXT));
+                book.text(at, "not measured", centred(TEXT));
             }
         }
         if measured.contains(&true) {

@@ -40,12 +40,12 @@ pub(super) fn draw_table(book: &mut Book, row: &PlacedRow, place: &FlankPlace, [
         end
     });
     let y = top + 2.5;
-    book.page().text([left + 0.6, y], "tooth", from_left(size).muted());
+    book.text([left + 0.6, y], "tooth", from_left(size).muted());
     for (k, (tooth, _)) in lanes.iter().enumerate() {
         book.fitted([of_tooth(k) - 0.6, y], wide - 1.0, &tooth.to_string(), from_right(size).muted());
     }
     for (x, word) in ends.iter().zip(["mean", "range", "limit"]) {
-        book.page().text([x - 0.6, y], word, from_right(size).muted());
+        book.text([x - 0.6, y], word, from_right(size).muted());
     }
     book.page().line([left, top + HEADING], [left + FIELD, top + HEADING], THIN);
     for (n, of) in field.characteristics.iter().enumerate() {
@@ -77,7 +77,7 @@ pub(super) fn draw_table(book: &mut Book, row: &PlacedRow, place: &FlankPlace, [
     let bottom = top + HEADING + pitch * field.characteristics.len() as f64;
     book.page().line([left, bottom], [left + FIELD, bottom], THIN);
     if field.characteristics.is_empty() {
-        book.page().text([left + 0.5 * FIELD, top + 8.0], "not evaluated", centred(TEXT));
+        book.text([left + 0.5 * FIELD, top + 8.0], "not evaluated", centred(TEXT));
     }
 }
 
@@ -112,7 +112,7 @@ pub(super) fn draw_judged(
         let text = format!("{text}*");
         // Bold figures are wider than the estimate.
         let size = fitting_size(&text, style.size, 0.94 * width);
-        book.page().text(at, &text, TextStyle { size, ..style }.bold());
+        book.text(at, &text, TextStyle { size, ..style }.bold());
     } else {
         book.fitted(at, width, text, style);
     }

@@ -4,11 +4,14 @@ use super::super::files::LeftOutFile;
 use super::super::sheet::SheetOptions;
 use super::super::statements::Statements;
 use super::result::InspectionSeriesResult;
+use job::tables::Language;
 use metrology::inspection::{CharacteristicSeries, SeriesPart};
 
 /// What the user decides about a series.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SeriesOptions {
+    /// Language of page and sheets.
+    pub language: Language,
     /// Sheets of the parts; their class gives the limits of the series as well.
     pub sheet: SheetOptions,
     /// Statistics only: no sheet for each part.
@@ -33,6 +36,8 @@ pub struct StoredPart {
 /// A series with everything that is written of it.
 #[derive(Clone, Debug)]
 pub struct InspectionSeries {
+    /// Language of its page.
+    pub language: Language,
     /// The document of `series.json`.
     pub result: InspectionSeriesResult,
     /// Evaluated characteristics, in the order of the groups of the document.

@@ -1,9 +1,11 @@
 //! Brings the parts of a series into groups and order, evaluates each group, names the sheets.
 
+use super::super::characteristic_in_words;
 use super::figures::characteristic;
 use super::read::ReadPart;
 use super::result::{InspectionSeriesResult, SeriesGroupResult, SeriesPartResult};
 use super::{InspectionSeries, RefusedFile};
+use job::tables::Language;
 use metrology::inspection::{CharacteristicSeries, SeriesPart, SeriesValue, evaluate_parts, ordered};
 use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
@@ -37,6 +39,7 @@ pub(super) fn series_of(read: Vec<Result<ReadPart, RefusedFile>>, class: Option<
         verdict.owe(file.file.clone(), Remark::new("file-refused", text, file.way_out.clone()));
     }
     InspectionSeries {
+        language: Language::default(),
         result: InspectionSeriesResult {
             process: "inspection-series",
             version: env!("CARGO_PKG_VERSION"),
@@ -103,7 +106,10 @@ fn judge_part(verdict: &mut Verdict, item: &str, part: &SeriesPart, exceeded: &[
     match (own.reason(), own.status()) {
         (Some(reason), Status::Missed) => verdict.missed(item, reason.text.clone(), named(reason)),
         _ if !exceeded.is_empty() => {
-            let beyond = format!("beyond their limits: {}", exceeded.join(", "));
+            let beyond = format!(
+                "beyond their limits: {}",
+                exceeded.iter().map(|key| characteristic_in_words(key)).collect::<Vec<_>>().join(", ")
+            );
             let way_out = "see the sheet of the part, and the trends of these characteristics";
             verdict.missed(
                 item,

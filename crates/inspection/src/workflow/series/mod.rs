@@ -48,6 +48,7 @@ pub fn inspect_series(paths: &[PathBuf], options: &SeriesOptions) -> Result<Insp
     check_class(options.sheet.tolerance_class)?;
     let read: Vec<_> = paths.par_iter().map(|path| read::read_part(path, options)).collect();
     let mut series = document::series_of(read, options.sheet.tolerance_class);
+    series.language = options.language;
     series.result.left_out.clone_from(&options.left_out);
     series.result.stated = options.statements.words();
     Ok(series)

@@ -51,8 +51,9 @@ pub(super) fn read_part(path: &Path, options: &SeriesOptions) -> Result<ReadPart
         .file_name()
         .map_or_else(|| path.to_string_lossy(), std::ffi::OsStr::to_string_lossy)
         .into_owned();
-    let found = inspect_gear(path, &options.statements, options.sheet.tolerance_class)
+    let mut found = inspect_gear(path, &options.statements, options.sheet.tolerance_class)
         .map_err(|failure| refused(path, &file, &failure))?;
+    found.language = options.language;
     let sheet = match options.without_sheets {
         true => None,
         false => Some(inspection_sheet(&found, &options.sheet).map_err(|error| RefusedFile {

@@ -11,13 +11,17 @@ use super::evaluate::EvaluatedGear;
 use super::run::GearInspection;
 use crate::page::sheet::{self, SheetData, SheetLimits, SheetPage, SheetValue};
 use foundation::geometry::Sides;
+use job::tables::Language;
 use measured_files::inspection::{DatumFace, Inspection, TraceKind};
 use metrology::inspection::{BandFit, KBand, ToleranceQuantity, reached_class};
 use report::charts::ChartError;
+use run::page_language;
 
 /// What the user decides about a sheet.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SheetOptions {
+    /// Language of the sheet; [`inspection_sheet`] takes that of the inspection.
+    pub language: Language,
     /// Class of ISO 1328-1:2013 that the gear has to reach; without one no limits are printed.
     pub tolerance_class: Option<i32>,
     /// Helix traces with the top of the measuring machine upwards (`oben up`) instead of the datum face downwards.
@@ -61,7 +65,8 @@ pub fn sheet_pages(
 pub fn inspection_sheet(found: &GearInspection, options: &SheetOptions) -> Result<String, ChartError> {
     // What the part was judged by is what its sheet shows.
     let tolerance_class = found.result.tolerance_class.or(options.tolerance_class);
-    let options = &SheetOptions { stated: found.result.stated.clone(), tolerance_class, ..options.clone() };
+    let (language, stated) = (found.language, found.result.stated.clone());
+    let options = &SheetOptions { language, stated, tolerance_class, ..options.clone() };
     let pages = match &found.against_target {
         None => sheet_pages(&found.inspection, &found.gear, options)?,
         Some(less) => {
@@ -77,7 +82,8 @@ pub fn inspection_sheet(found: &GearInspection, options: &SheetOptions) -> Resul
     };
     let title = head::title(&found.inspection);
     let title = if title.is_empty() { &found.result.job } else { &title };
-    Ok(sheet::sheet_html(&format!("Inspection sheet {title}"), &pages))
+    let language = page_language(language);
+    Ok(sheet::sheet_html(&format!("{} {title}", language.say("Inspection sheet")), language, &pages))
 }
 
 /// What stands on the sheet of a measured gear.
@@ -88,6 +94,7 @@ pub fn sheet_data(inspection: &Inspection, gear: &EvaluatedGear, options: &Sheet
     let mut rows = rows.into_iter();
     let empty = |kind| sheet.empty_row(kind);
     SheetData {
+        language: page_language(options.language),
         title: head::title(inspection),
         product: concat!("flankwright ", env!("CARGO_PKG_VERSION")).into(),
         head: sheet.head(),

@@ -104,7 +104,7 @@ impl Filling<'_> {
                 coordinate: "z".into(),
                 rising: true,
                 top: "top, +z".into(),
-                bottom: "bottom".into(),
+                bottom: "lower end".into(),
                 scale: "z of file, mm".into(),
                 slope_words,
                 flanks,

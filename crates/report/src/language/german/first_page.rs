@@ -113,8 +113,8 @@ pub(super) const TEXTS: &[Text] = &[
         "Nicht bekannt: keine Programme, der Auftrag nennt keine Maschine.",
     ),
     (
-        "Loading and indexing: not given (stock and technology.times of the job).",
-        "Laden und Einmitten: nicht angegeben (stock und technology.times des Auftrags).",
+        "Loading and indexing: not given (`stock` and `technology.times` of the job).",
+        "Laden und Einmitten: nicht angegeben (`stock` und `technology.times` des Auftrags).",
     ),
     ("grinding, all strokes", "Schleifen, alle Hübe"),
     ("dressing", "Abrichten"),

@@ -2,6 +2,8 @@
 //! application.
 
 mod common;
+mod errors;
+mod explained;
 mod first_page;
 mod flanks;
 mod gearbox;
@@ -9,9 +11,12 @@ mod grinding;
 mod inspection;
 mod milling;
 mod programs;
+mod remarks;
 mod removal;
 mod scope;
+mod sheet;
 mod skiving;
+mod studies;
 mod tangential;
 mod verification;
 
@@ -33,4 +38,9 @@ pub(super) const TEXTS: &[&[Text]] = &[
     gearbox::TEXTS,
     tangential::TEXTS,
     inspection::TEXTS,
+    studies::TEXTS,
+    sheet::TEXTS,
+    errors::TEXTS,
+    remarks::TEXTS,
+    explained::TEXTS,
 ];
