@@ -313,7 +313,10 @@ fn limits_that_a_given_ratio_overrides_are_told() {
     );
     assert_eq!(run.exit, Some(0), "{run:?}");
     let warnings = run.json()["warnings"].to_string();
-    assert!(warnings.contains("given-ratio-beyond-limits") && warnings.contains("tangentially"), "{warnings}");
+    assert!(
+        warnings.contains("given-ratio-beyond-limits") && warnings.contains("tangentially"),
+        "{warnings}"
+    );
 }
 
 #[test]

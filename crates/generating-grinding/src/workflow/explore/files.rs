@@ -164,7 +164,7 @@ fn chart(outcome: &ExploreOutcome) -> Result<Option<(Svg, String)>, ChartError> 
     let mut caption =
         "Largest deviation from the target on the planning grid with an ideal tool. Filled: allowed; open: refused.".to_string();
     if left_out {
-        caption += &" Drawn are the worms with the best candidates only.";
+        caption += " Drawn are the worms with the best candidates only.";
     }
     Ok(Some((svg, caption)))
 }
