@@ -13,6 +13,7 @@ const PLANS: &[(&str, i32)] = &[
     ("clamping.toml", 0),
     ("control/with-real-control.toml", 0),
     ("cycles/ev-gear.toml", 0),
+    ("cycles/measured-blank.toml", 0),
     ("cycles/planet-gear.toml", 0),
     ("cycles/spur-gear.toml", 0),
     ("cycles/truck-gear.toml", 0),

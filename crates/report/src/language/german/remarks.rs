@@ -3,6 +3,28 @@
 use super::Text;
 
 pub(super) const TEXTS: &[Text] = &[
+    // Drawing, blank, dressing.
+    ("class {n} of ISO 1328-1", "Klasse {} nach ISO 1328-1"),
+    (
+        "a plan has no pitches and no run-out; `flankwright inspect` judges a measured gear by it",
+        "ein Plan hat keine Teilungen und keinen Rundlauf; `flankwright inspect` beurteilt ein gemessenes Rad danach",
+    ),
+    (
+        "the table of the stock leaves out {n} tooth spaces: they get the mean of the others",
+        "die Tabelle des Aufmaßes lässt {} Zahnlücken aus: sie erhalten den Mittelwert der anderen",
+    ),
+    (
+        "measure every tooth, or keep some stock more than the measured teeth need",
+        "jeden Zahn messen oder etwas mehr Aufmaß vorsehen, als die gemessenen Zähne brauchen",
+    ),
+    (
+        "the overlap of dressing is {n}, the shop asks for {n}",
+        "der Überdeckungsgrad des Abrichtens ist {}, der Betrieb verlangt {}",
+    ),
+    (
+        "dress slower (machine.dressing_worm_speed_rpm = {n}) or turn the dresser faster (machine.dresser_speed_rpm)",
+        "langsamer abrichten (machine.dressing_worm_speed_rpm = {}) oder den Abrichter schneller drehen (machine.dresser_speed_rpm)",
+    ),
     // Items of a verdict: figures and reasons.
     ("{n} of {n} µm", "{} von {} µm"),
     ("{n} µm with the process", "{} µm mit dem Prozess"),
