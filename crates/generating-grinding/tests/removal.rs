@@ -2,7 +2,7 @@
 
 use foundation::geometry::Flank;
 use foundation::numerics::Silent;
-use generating_grinding::job::{CycleRule, LoadedJob};
+use generating_grinding::job::{CycleRule, LoadedJob, StrokeOfJob, StrokeShift};
 use generating_grinding::page::html_page;
 use generating_grinding::workflow::programs::OnGrinding;
 use generating_grinding::workflow::referee::{self, Cutting};
@@ -12,6 +12,7 @@ use job::tables::OneOrSides;
 use motion::track;
 use run::RunFailure;
 use std::path::PathBuf;
+use verdict::{Status, Verdict};
 
 fn load(name: &str) -> LoadedJob {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples/cycles").join(name);
@@ -212,4 +213,45 @@ fn no_cycle_within_the_limits_names_the_one_that_binds() {
     let Err(RunFailure::NotProducible(finding)) = plan_job(&loaded, &Silent) else { panic!("a cycle") };
     assert_eq!(finding.code, "no-feasible-plan");
     assert_eq!(finding.field.as_deref(), Some("technology.limits.Qw_finishing"));
+}
+
+/// A stroke that shifts by another ratio leaves another twist: what it is to leave has to cover it, or the finished flank is damaged before it
+/// is ground.
+#[test]
+fn roughing_with_a_ratio_of_its_own_stays_above_the_finished_flank() {
+    let judged = |left_um: f64| {
+        let mut loaded = load("truck-gear.toml");
+        without_programs(&mut loaded);
+        let technology = loaded.job.technology.as_mut().unwrap();
+        technology.cycle = None;
+        technology.strokes = [(left_um, Some(0.0)), (0.0, None)]
+            .map(|(left_um, ratio)| StrokeOfJob {
+                left_um: OneOrSides::Both(left_um),
+                feed_per_revolution: Some(0.3),
+                cutting_speed_m_per_s: None,
+                direction: None,
+                shift: ratio.map(|ratio| StrokeShift { ratio: Some(ratio), ..StrokeShift::default() }),
+                overrun: None,
+                dwell_s: None,
+                zone: None,
+            })
+            .to_vec();
+        planned(&loaded).result.verdict
+    };
+    let covered = judged(60.0);
+    let item = |verdict: &Verdict| {
+        let found = verdict.judged().iter().find(|one| one.item.contains("left flank after stroke 1"));
+        found.unwrap_or_else(|| panic!("{verdict:?}")).clone()
+    };
+    assert_eq!((covered.status(), item(&covered).status), (Status::Met, Status::Met), "{covered:?}");
+    // The same height less what the stroke leaves is what its twist takes.
+    let height = |verdict: &Verdict| -> f64 {
+        item(verdict).detail.split(' ').next().and_then(|um| um.parse().ok()).unwrap()
+    };
+    let taken = 60.0 - height(&covered);
+    assert!(taken > 1.0, "{taken}");
+    let bare = judged(0.5 * taken);
+    assert_eq!(bare.status(), Status::Missed);
+    assert_eq!(bare.reason().unwrap().code, "roughing-below-finished");
+    assert!((height(&bare) + 0.5 * taken).abs() < 0.05, "{} for {}", height(&bare), -0.5 * taken);
 }

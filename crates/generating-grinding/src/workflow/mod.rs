@@ -28,6 +28,7 @@ pub mod referee;
 pub mod refusal;
 pub mod removal;
 pub mod result;
+mod roughing;
 pub mod run;
 pub mod scene;
 pub mod stroke_plan;

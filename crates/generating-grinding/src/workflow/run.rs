@@ -16,6 +16,7 @@ use super::referee::{self, Cutting};
 use super::refusal::{of_planning, of_simulation};
 use super::removal::{RunCycle, put_on_stock, removal_of_run};
 use super::result::{CandidateResult, FlankResult, JobResult, LeastDeviationResult, SettingsResult};
+use super::roughing::judge_roughing;
 use super::tip_edge::{judge_tip_edge, tip_edge_depths};
 use super::tip_land::TipLands;
 use crate::job::LoadedJob;
@@ -265,6 +266,7 @@ fn finish(
             owe_line_dressing(&mut verdict);
         }
     }
+    judge_roughing(&mut verdict, &prepared, &execution);
     prepared.measures.leave_class(&mut verdict);
     if programs.is_some() {
         warnings.extend(Release::of(&verdict, prepared.output.programs_of_missed).remark(&verdict));

@@ -10,12 +10,12 @@ use super::proof::THREAD_GRID;
 use super::run_programs::RunPrograms;
 use super::task::ProgramTask;
 use super::technology::Technology;
-use super::work::{DressingWork, GrindingWork};
+use super::work::{DressingWork, GrindingWork, levers_of};
 use crate::workflow::execution::{ExecutedTool, Execution};
 use crate::workflow::line_dressing::WrittenFlank;
 use crate::workflow::prepare::Prepared;
 use crate::workflow::referee::{self, Cutting, Verdict};
-use contact::{Lever, ToolSurface};
+use contact::ToolSurface;
 use dressing::{DressedWorm, DresserTool};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::{DressingMotion, Point, Pose, Worm};
@@ -321,11 +321,7 @@ fn grinding_work(prepared: &Prepared, execution: &Execution) -> Vec<(GrindingWor
                 motion: execution.motion.clone(),
                 phase: phase[flanks[0]],
                 feeds: execution.feed_range,
-                levers: Sides::from_fn(|flank| {
-                    let line = &setup.lines[flank];
-                    let lever = Lever { sine: line.sin_an.abs(), arm: line.lever.abs() };
-                    flanks.contains(&flank).then_some(lever)
-                }),
+                levers: levers_of(setup, &flanks),
             };
             (work, flanks)
         })

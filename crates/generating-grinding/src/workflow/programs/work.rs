@@ -1,8 +1,9 @@
 //! The strokes of a run as work for a machine.
 
 use contact::Lever;
-use foundation::geometry::Sides;
+use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::{DressingMotion, GeneratingMotion};
+use generating::GrindingSetup;
 use nalgebra::Vector3;
 
 /// One dressing stroke of a run.
@@ -18,6 +19,15 @@ pub struct DressingWork {
     pub contacts: Vec<(Vector3<f64>, Vector3<f64>)>,
     /// Largest sin(alpha_n): stock per distance where both flanks are dressed at once.
     pub per_distance: f64,
+}
+
+/// Levers of the flanks that a stroke grinds.
+pub fn levers_of(setup: &GrindingSetup, flanks: &[Flank]) -> Sides<Option<Lever>> {
+    Sides::from_fn(|flank| {
+        let line = &setup.lines[flank];
+        let lever = Lever { sine: line.sin_an.abs(), arm: line.lever.abs() };
+        flanks.contains(&flank).then_some(lever)
+    })
 }
 
 /// One grinding stroke of a run.

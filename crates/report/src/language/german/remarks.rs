@@ -25,6 +25,23 @@ pub(super) const TEXTS: &[Text] = &[
         "dress slower (machine.dressing_worm_speed_rpm = {n}) or turn the dresser faster (machine.dresser_speed_rpm)",
         "langsamer abrichten (machine.dressing_worm_speed_rpm = {}) oder den Abrichter schneller drehen (machine.dresser_speed_rpm)",
     ),
+    (
+        "left flank after stroke {n}, which shifts by a ratio of its own",
+        "linke Flanke nach Hub {}, der mit eigenem Verhältnis shiftet",
+    ),
+    (
+        "right flank after stroke {n}, which shifts by a ratio of its own",
+        "rechte Flanke nach Hub {}, der mit eigenem Verhältnis shiftet",
+    ),
+    ("{n} µm or more above the finished flank", "mindestens {} µm über der fertigen Flanke"),
+    (
+        "stroke {n} goes {n} um below the finished left flank: its shift leaves another twist than the plan, more than the {n} um that it is to leave",
+        "Hub {} geht {} um unter die fertige linke Flanke: sein Shift lässt eine andere Verschränkung stehen als der Plan, mehr als die {} um, die er stehen lassen soll",
+    ),
+    (
+        "stroke {n} goes {n} um below the finished right flank: its shift leaves another twist than the plan, more than the {n} um that it is to leave",
+        "Hub {} geht {} um unter die fertige rechte Flanke: sein Shift lässt eine andere Verschränkung stehen als der Plan, mehr als die {} um, die er stehen lassen soll",
+    ),
     // Items of a verdict: figures and reasons.
     ("{n} of {n} µm", "{} von {} µm"),
     ("{n} µm with the process", "{} µm mit dem Prozess"),
