@@ -9,7 +9,7 @@ use crate::workflow::result::{FlankResult, SettingsResult};
 use foundation::geometry::Sides;
 use report::charts::{ChartError, DressingSectionChart, RangeMark, Topography, WormOccupationChart};
 use report::{Block, FlankStages, Quantity, Sheet};
-use run::{CharacteristicsUm, GrindingMotion, JobTitle};
+use run::{CharacteristicsUm, GrindingMotion, JobTitle, ToleranceResult};
 use verdict::{Remark, Verdict};
 
 /// What the page of a process that grinds flanks with a worm shows.
@@ -22,6 +22,8 @@ pub struct GrindingPage<'a> {
     pub verdict: &'a Verdict,
     /// Tolerance on the simulated deviation, um, normal.
     pub tolerance_um: f64,
+    /// Tolerances of the drawing's class.
+    pub class: Option<ToleranceResult>,
     /// Flanks that are ground.
     pub flanks: Sides<Option<ShownFlank<'a>>>,
     /// Settings, times, tools and tooth thickness for the first page.

@@ -71,6 +71,7 @@ pub fn page(outcome: &Outcome, files: &[(String, &'static str)]) -> Result<PlanR
         process: "Generating grinding",
         verdict: &result.verdict,
         tolerance_um: result.tolerance_um,
+        class: result.drawing.tolerances,
         flanks,
         sheets: first_page::sheets(outcome),
         gear: gear_quantities(&input.gear, &input.blank, input.evaluation),

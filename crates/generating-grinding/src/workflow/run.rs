@@ -14,7 +14,7 @@ use super::partition::Partition;
 use super::prepare::{GivenSettings, Prepared, prepare};
 use super::referee::{self, Cutting};
 use super::refusal::{of_planning, of_simulation};
-use super::removal::{RunCycle, put_on_stock, removal_of_run};
+use super::removal::{RunCycle, judge_stock, put_on_stock, removal_of_run};
 use super::result::{CandidateResult, FlankResult, JobResult, LeastDeviationResult, SettingsResult};
 use super::roughing::judge_roughing;
 use super::tip_edge::{judge_tip_edge, tip_edge_depths};
@@ -267,6 +267,9 @@ fn finish(
         }
     }
     judge_roughing(&mut verdict, &prepared, &execution);
+    if let Some(removal) = &removal.result {
+        judge_stock(&mut verdict, removal);
+    }
     prepared.measures.leave_class(&mut verdict);
     if programs.is_some() {
         warnings.extend(Release::of(&verdict, prepared.output.programs_of_missed).remark(&verdict));

@@ -79,6 +79,7 @@ fn common(outcome: &TangentialOutcome, files: &[(String, &'static str)]) -> Resu
         process: "Tangential dressing",
         verdict: &result.verdict,
         tolerance_um: result.tolerance_um,
+        class: result.drawing.tolerances,
         flanks,
         sheets: first_page::sheets(outcome),
         gear: gear_quantities(

@@ -8,6 +8,7 @@ use crate::workflow::drawn_values::{TraceDirection, TraceResult};
 use report::cells::NONE;
 use report::charts::{format_fixed, format_significant};
 use report::{Column, Table};
+use run::ToleranceResult;
 
 /// Rows that the page has room for.
 const MOST_ROWS: usize = 14;
@@ -53,7 +54,7 @@ pub(in crate::page) fn values(page: &GrindingPage<'_>) -> Option<Table> {
     let traced = shown.iter().any(|flank| !flank.result.traces.is_empty());
     let mut rows = if traced { evaluated(&shown) } else { Vec::new() };
     rows.extend(other_amounts(&shown, traced));
-    rows.extend(deviations(&shown));
+    rows.extend(deviations(&shown, page.class.as_ref()));
     let fits = rows.len() < MOST_ROWS;
     rows.truncate(MOST_ROWS - 1);
     rows.push(Row {
@@ -148,23 +149,54 @@ fn fitted(flanks: &[&ShownFlank<'_>], name: &str) -> Row {
     Row { name, flanks: flanks.iter().map(of).collect(), tolerance: None }
 }
 
-/// Deviations of profile and helix to ISO 1328-1, the largest of each direction.
-fn deviations(flanks: &[&ShownFlank<'_>]) -> Vec<Row> {
+/// Deviations of profile and helix to ISO 1328-1, the largest of each direction, beside the tolerances of the drawing's class.
+fn deviations(flanks: &[&ShownFlank<'_>], class: Option<&ToleranceResult>) -> Vec<Row> {
     type Value = fn(&TraceResult) -> f64;
-    let rows: [(&str, TraceDirection, Value); 6] = [
-        ("F_α profile, total deviation", TraceDirection::Profile, |trace| trace.total_um),
-        ("f_Hα profile, slope deviation", TraceDirection::Profile, |trace| trace.slope_um),
-        ("f_fα profile, form deviation", TraceDirection::Profile, |trace| trace.form_um),
-        ("F_β helix, total deviation", TraceDirection::Helix, |trace| trace.total_um),
-        ("f_Hβ helix, slope deviation", TraceDirection::Helix, |trace| trace.slope_um),
-        ("f_fβ helix, form deviation", TraceDirection::Helix, |trace| trace.form_um),
+    type Tolerance = fn(&ToleranceResult) -> f64;
+    let rows: [(&str, TraceDirection, Value, Tolerance); 6] = [
+        (
+            "F_α profile, total deviation",
+            TraceDirection::Profile,
+            |trace| trace.total_um,
+            |class| class.F_alphaT_um,
+        ),
+        (
+            "f_Hα profile, slope deviation",
+            TraceDirection::Profile,
+            |trace| trace.slope_um,
+            |class| class.f_HalphaT_um,
+        ),
+        (
+            "f_fα profile, form deviation",
+            TraceDirection::Profile,
+            |trace| trace.form_um,
+            |class| class.f_falphaT_um,
+        ),
+        (
+            "F_β helix, total deviation",
+            TraceDirection::Helix,
+            |trace| trace.total_um,
+            |class| class.F_betaT_um,
+        ),
+        (
+            "f_Hβ helix, slope deviation",
+            TraceDirection::Helix,
+            |trace| trace.slope_um,
+            |class| class.f_HbetaT_um,
+        ),
+        (
+            "f_fβ helix, form deviation",
+            TraceDirection::Helix,
+            |trace| trace.form_um,
+            |class| class.f_fbetaT_um,
+        ),
     ];
-    let rows = rows.into_iter().map(|(name, direction, value)| {
+    let rows = rows.into_iter().map(|(name, direction, value, tolerance)| {
         let largest = |flank: &ShownFlank<'_>| {
             let of = flank.result.traces.iter().filter(|trace| trace.direction == direction).map(value);
             of.max_by(|a, b| a.abs().total_cmp(&b.abs()))
         };
-        Row { name: name.to_owned(), flanks: made(flanks, largest), tolerance: None }
+        Row { name: name.to_owned(), flanks: made(flanks, largest), tolerance: class.map(tolerance) }
     });
     rows.filter(|row| row.flanks.iter().any(|cells| cells.made.is_some())).collect()
 }

@@ -12,6 +12,7 @@ mod time;
 mod worm;
 
 pub use cycle::RunCycle;
+pub use remarks::judge_stock;
 pub use result::{
     CostResult, CycleResult, CyclesResult, DressingFiguresResult, FlankRemovalResult, IndicatorResult,
     LimitShare, PartTimeResult, RateMapResult, RemovalResult, StockResult, StrokeResult, WormLifeResult,

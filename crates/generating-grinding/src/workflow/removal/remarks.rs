@@ -9,7 +9,7 @@ use crate::workflow::programs::result::ProgramsResult;
 use foundation::numerics::extremes;
 use grinding_technology::{Cycle, StrokeFigures, WidthUse};
 use job::shown_number;
-use verdict::Remark;
+use verdict::{Remark, Verdict};
 
 /// Two figures of the same time are equal within this share.
 const SAME_TIME: f64 = 0.01;
@@ -53,6 +53,27 @@ pub(super) fn indicators(
     found
 }
 
+/// Judges whether the flanks clean up: material that is missing before grinding is missing after it.
+pub fn judge_stock(verdict: &mut Verdict, result: &RemovalResult) {
+    for (flank, &least) in result.stock.least_um.iter() {
+        let detail =
+            format!("{least:.1} to {:.1} µm over the finished flank", result.stock.largest_um[flank]);
+        verdict.judge(format!("stock on the {flank} flank"), least > 0.0, detail, || {
+            Remark::new(
+                "no-stock",
+                format!(
+                    "material is missing on the {flank} flank, up to {:.1} um: it does not clean up there",
+                    -least
+                ),
+                format!(
+                    "raise stock.allowance_um by {:.1} um or more, or centre the blank (stock.run_out)",
+                    (10.0 * -least).floor() / 10.0 + 0.1
+                ),
+            )
+        });
+    }
+}
+
 /// What to know.
 pub(super) fn remarks(
     result: &RemovalResult,
@@ -60,18 +81,6 @@ pub(super) fn remarks(
     (task, programs): (&RemovalTask, Option<&ProgramsResult>),
 ) -> Vec<Remark> {
     let mut remarks = Vec::new();
-    for (flank, &least) in result.stock.least_um.iter() {
-        if least <= 0.0 {
-            remarks.push(Remark {
-                code: "no-stock",
-                text: format!(
-                    "material is missing on the {flank} flank, up to {:.1} um: it does not clean up there",
-                    -least
-                ),
-                way_out: "raise stock.allowance_um, or centre the blank".into(),
-            });
-        }
-    }
     for (k, stroke) in result.strokes.iter().enumerate() {
         if stroke.volume_mm3 <= 0.0 && stroke.left_um.iter().any(|(_, left)| *left > 0.0) {
             remarks.push(Remark {

@@ -42,6 +42,21 @@ pub(super) const TEXTS: &[Text] = &[
         "stroke {n} goes {n} um below the finished right flank: its shift leaves another twist than the plan, more than the {n} um that it is to leave",
         "Hub {} geht {} um unter die fertige rechte Flanke: sein Shift lässt eine andere Verschränkung stehen als der Plan, mehr als die {} um, die er stehen lassen soll",
     ),
+    ("stock on the left flank", "Aufmaß der linken Flanke"),
+    ("stock on the right flank", "Aufmaß der rechten Flanke"),
+    ("{n} to {n} µm over the finished flank", "{} bis {} µm über der fertigen Flanke"),
+    (
+        "material is missing on the left flank, up to {n} um: it does not clean up there",
+        "auf der linken Flanke fehlt Material, bis {} um: dort wird sie nicht sauber",
+    ),
+    (
+        "material is missing on the right flank, up to {n} um: it does not clean up there",
+        "auf der rechten Flanke fehlt Material, bis {} um: dort wird sie nicht sauber",
+    ),
+    (
+        "raise stock.allowance_um by {n} um or more, or centre the blank (stock.run_out)",
+        "stock.allowance_um um mindestens {} um erhöhen oder das Rohteil zentrieren (stock.run_out)",
+    ),
     // Items of a verdict: figures and reasons.
     ("{n} of {n} µm", "{} von {} µm"),
     ("{n} µm with the process", "{} µm mit dem Prozess"),
