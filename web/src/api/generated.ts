@@ -2081,6 +2081,19 @@ export interface components {
        */
       min_mm: number;
     };
+    /** @description Tooth thickness and class of the drawing. */
+    DrawingResult: {
+      /** @description Normal tooth thickness on the pitch cylinder; absent of a conical gear. */
+      normal_tooth_thickness?: components["schemas"]["ThicknessResult"] | null;
+      /** @description Size over (internal: between) balls; absent where no ball touches. */
+      over_balls?: components["schemas"]["ThicknessResult"] | null;
+      /** @description Size over (internal: between) rolls; absent without `gear.measured_over.roll_diameter`. */
+      over_rolls?: components["schemas"]["ThicknessResult"] | null;
+      /** @description Span; absent where the gear has none. */
+      span?: components["schemas"]["ThicknessResult"] | null;
+      /** @description Tolerances of ISO 1328-1:2013, rounded as the standard states them; absent without `gear.tolerance_class`. */
+      tolerances?: components["schemas"]["ToleranceResult"] | null;
+    };
     /** @description A value that drawings state, transverse; > 0 material removed. */
     DrawnValue: {
       /**
@@ -2136,6 +2149,64 @@ export interface components {
        * @description Width of the cylindrical land at the tip.
        */
       tip_land?: number | null;
+    };
+    /** @description How the worm is dressed. */
+    DressingFiguresResult: {
+      /**
+       * Format: double
+       * @description Length of the contact along the thread.
+       */
+      contact_length_mm: number;
+      /**
+       * Format: double
+       * @description Taken from the flank by the last stroke, normal.
+       */
+      depth_um: number;
+      /**
+       * Format: double
+       * @description Dresser.
+       */
+      dresser_speed_rpm: number;
+      /**
+       * Format: uint
+       * @description 1 or 2.
+       */
+      flanks_at_a_time: number;
+      /**
+       * Format: double
+       * @description Contact length over the way of the thread per revolution of the dresser.
+       */
+      overlap: number;
+      /**
+       * Format: double
+       * @description Parts that a dresser lasts; absent without `technology.cost` or without a limit of V'_w.
+       */
+      parts_per_dresser?: number | null;
+      /**
+       * Format: double
+       * @description Peripheral speed of the dresser over that of the worm, above 0 where both run the same way at the contact.
+       */
+      speed_ratio: number;
+      /**
+       * Format: uint
+       * @description Strokes of a flank.
+       */
+      strokes: number;
+      /**
+       * Format: double
+       * @description Way of the thread past the dresser per revolution of the dresser.
+       */
+      thread_per_dresser_revolution_mm: number;
+      /**
+       * Format: double
+       * @description Way of the dresser along the worm's axis per revolution of the worm.
+       */
+      traverse_per_worm_revolution_mm: number;
+      /**
+       * Format: double
+       * @description Worm.
+       */
+      worm_speed_rpm: number;
     };
     /** @description What a study found: the document of `explore.json`. */
     DressingStudyOutcome: {
@@ -2900,7 +2971,7 @@ export interface components {
       /** @description Mean and range over the teeth: characteristic, flank, line. */
       summary: components["schemas"]["SummaryResult"][];
       /** @description Profile shift by span and balls. */
-      thickness: components["schemas"]["ThicknessResult"];
+      thickness: components["schemas"]["ThicknessResult2"];
       /** @description Seconds per stage; the only part that differs between two runs. */
       timing_s: {
         [key: string]: number;
@@ -3202,6 +3273,8 @@ export interface components {
       accepted: boolean;
       /** @description What gearbox and servo leave; absent unless the job describes its control. */
       control?: components["schemas"]["ControlResult"] | null;
+      /** @description Tooth thickness and class of the drawing, which nothing here judges. */
+      drawing: components["schemas"]["DrawingResult"];
       /** @description Flanks that are ground. */
       flanks: {
         [key: string]: components["schemas"]["FlankResult"];
@@ -3797,6 +3870,8 @@ export interface components {
       accepted: boolean;
       /** @description The cutter of the flanks. */
       cutter: components["schemas"]["CutterResult"];
+      /** @description Tooth thickness and class of the drawing, which nothing here judges; absent of bevel gears and blades. */
+      drawing?: components["schemas"]["DrawingResult"] | null;
       /** @description Flanks that are milled. */
       flanks: {
         [key: string]: components["schemas"]["FlankResult2"];
@@ -5432,6 +5507,15 @@ export interface components {
        */
       least_um: number;
     };
+    /** @description Q'_w over flank and feed, the largest over the tooth spaces. */
+    RateMapResult: {
+      /** @description Diameters of the places along the profile, rising. */
+      diameter_mm: components["schemas"]["Sides2"];
+      /** @description Feeds z_V2, rising. */
+      feed_mm: number[];
+      /** @description Q'_w: for each diameter its values over the feed. */
+      specific_rate_mm3_per_mm_s: components["schemas"]["Sides6"];
+    };
     /** @description An edge. */
     RecordedEdge: {
       /** @description Flank of the workpiece that it makes. */
@@ -5562,6 +5646,8 @@ export interface components {
       cost_per_part?: components["schemas"]["CostResult"] | null;
       /** @description Cycles within the limits; absent without `technology.limits.Qw_roughing` and `Qw_finishing`, and where none keeps them. */
       cycles?: components["schemas"]["CyclesResult"] | null;
+      /** @description The last dressing stroke; absent without `technology.dressing`, and for a worm that is not dressed by a disc in line contact. */
+      dressing?: components["schemas"]["DressingFiguresResult"] | null;
       /** @description Figures over the shop's limits. A share above 1 says harder than what the shop calls safe, no more. */
       indicators: components["schemas"]["IndicatorResult"][];
       /** @description Time of a part; absent without programs or without `technology.times`. */
@@ -6468,6 +6554,13 @@ export interface components {
       /** @description Value of the right flank. */
       right: components["schemas"]["FlankRemovalResult"];
     };
+    /** @description One value for each flank. */
+    Sides6: {
+      /** @description Value of the left flank. */
+      left: number[][];
+      /** @description Value of the right flank. */
+      right: number[][];
+    };
     /** @description Signs of helix slopes. */
     Signs: {
       /**
@@ -6526,6 +6619,8 @@ export interface components {
       calibration?: components["schemas"]["CalibrationResult"] | null;
       /** @description The usual way beside it. */
       conventional?: components["schemas"]["ConventionalResult"][];
+      /** @description Tooth thickness and class of the workpiece's drawing, which nothing here judges. */
+      drawing: components["schemas"]["DrawingResult"];
       /** @description The workpiece to come, by flank. */
       flanks: {
         [key: string]: components["schemas"]["SkivedFlankResult"];
@@ -6791,6 +6886,8 @@ export interface components {
       left_um: components["schemas"]["Sides4"];
       /** @description The limit that it comes nearest to; absent where it takes nothing. */
       nearest_limit?: components["schemas"]["LimitShare"] | null;
+      /** @description Q'_w over flank and feed; absent where the stroke takes nothing. */
+      rate_map?: components["schemas"]["RateMapResult"] | null;
       /** @description Removal rate at these times. */
       rate_mm3_per_s: number[];
       /** @description "climb" or "conventional". */
@@ -6997,6 +7094,8 @@ export interface components {
       accepted: boolean;
       /** @description What gearbox and servo leave; absent unless the job describes its control. */
       control?: components["schemas"]["ControlResult"] | null;
+      /** @description Tooth thickness and class of the drawing, which nothing here judges. */
+      drawing: components["schemas"]["DrawingResult"];
       /** @description Flanks that are ground. */
       flanks: {
         [key: string]: components["schemas"]["TangentialFlankResult"];
@@ -7040,8 +7139,28 @@ export interface components {
       /** @description Its text. */
       text: string;
     };
-    /** @description Profile shift coefficients that the sizes mean. */
+    /** @description One measure of the tooth thickness. */
     ThicknessResult: {
+      /**
+       * Format: double
+       * @description Diameter of balls or rolls.
+       */
+      diameter_mm?: number | null;
+      /** @description Least and greatest between the allowances; absent without them. */
+      limits_mm?: [number, number];
+      /**
+       * Format: double
+       * @description Of the gear that is made, in the middle of its allowances.
+       */
+      size_mm: number;
+      /**
+       * Format: uint32
+       * @description Teeth spanned.
+       */
+      teeth?: number | null;
+    };
+    /** @description Profile shift coefficients that the sizes mean. */
+    ThicknessResult2: {
       /**
        * Format: double
        * @description By the balls.
@@ -7066,6 +7185,59 @@ export interface components {
        * @description Its number, from 1 in the positive sense about the worm's axis.
        */
       thread: number;
+    };
+    /** @description Tolerances of a flank tolerance class. */
+    ToleranceResult: {
+      /**
+       * Format: double
+       * @description Total profile.
+       */
+      F_alphaT_um: number;
+      /**
+       * Format: double
+       * @description Total helix.
+       */
+      F_betaT_um: number;
+      /**
+       * Format: double
+       * @description Total cumulative pitch.
+       */
+      F_pT_um: number;
+      /**
+       * Format: double
+       * @description Run-out.
+       */
+      F_rT_um: number;
+      /**
+       * Format: int32
+       * @description The class.
+       */
+      class: number;
+      /**
+       * Format: double
+       * @description Profile slope.
+       */
+      f_HalphaT_um: number;
+      /**
+       * Format: double
+       * @description Helix slope.
+       */
+      f_HbetaT_um: number;
+      /**
+       * Format: double
+       * @description Profile form.
+       */
+      f_falphaT_um: number;
+      /**
+       * Format: double
+       * @description Helix form.
+       */
+      f_fbetaT_um: number;
+      /**
+       * Format: double
+       * @description Single pitch.
+       */
+      f_pT_um: number;
     };
     /** @description One program. */
     ToolProgramResult: {
@@ -7522,6 +7694,8 @@ export interface components {
       parts_per_dressing: number;
       /** @description V'_w of so many parts for each millimetre of the worm's width, the largest over the profile. */
       removed_mm3_per_mm: components["schemas"]["Sides2"];
+      /** @description Areas of the worm; widths in balance last equally long. */
+      zones: components["schemas"]["ZoneLoadResult"][];
     };
     /** @description The dresser on one worm. */
     WormPoint: {
@@ -7591,6 +7765,28 @@ export interface components {
       lines_mm: [number, number];
       /** @description Worm positions z_1 from and to. */
       z_1_mm: [number, number];
+    };
+    /** @description An area of the worm, or all of it. */
+    ZoneLoadResult: {
+      /**
+       * Format: double
+       * @description Largest V'_w allowed.
+       */
+      allowed_mm3_per_mm: number;
+      /**
+       * Format: double
+       * @description Width at which all areas last equally long within the width of the worm.
+       */
+      balanced_width_mm: number;
+      /**
+       * Format: double
+       * @description What one part takes of it.
+       */
+      per_part_mm3: number;
+      /** @description Where the strokes of the first part use it. */
+      used_mm: [number, number];
+      /** @description "all", "roughing" or "finishing". */
+      zone: string;
     };
   };
   responses: never;

@@ -364,7 +364,7 @@ fn rate_figure(name: &str, k: usize, map: &RateMapResult) -> Result<Figure, Char
         Ok(NamedTopography::new(flank.name(), topography))
     };
     let chart = ContourMap {
-        title: format!("Specific removal rate Q'_w [mm³/(mm s)], stroke {name}"),
+        title: format!("Specific removal rate [mm³/(mm s)], stroke {name}"),
         quantity: "Q'_w".to_owned(),
         panels: Flank::BOTH.into_iter().map(panel).collect::<Result<_, ChartError>>()?,
         scale: None,

@@ -27,14 +27,15 @@ pub(super) const TEXTS: &[Text] = &[
         "Genutzt: von den Hüben des ersten Teils. Im Gleichgewicht halten alle Bereiche innerhalb der Schneckenbreite gleich lange.",
     ),
     (
-        "Specific removal rate Q'_w [mm³/(mm s)], stroke {n} roughing",
-        "Bezogenes Zeitspanvolumen Q'_w [mm³/(mm s)], Hub {} Schruppen",
+        "Specific removal rate [mm³/(mm s)], stroke {n} roughing",
+        "Bezogenes Zeitspanvolumen [mm³/(mm s)], Hub {} Schruppen",
     ),
     (
-        "Specific removal rate Q'_w [mm³/(mm s)], stroke {n} finishing",
-        "Bezogenes Zeitspanvolumen Q'_w [mm³/(mm s)], Hub {} Schlichten",
+        "Specific removal rate [mm³/(mm s)], stroke {n} finishing",
+        "Bezogenes Zeitspanvolumen [mm³/(mm s)], Hub {} Schlichten",
     ),
     ("isolines of equal values, dark: large", "Linien gleicher Werte, dunkel: groß"),
+    ("Diameter [mm]", "Durchmesser [mm]"),
     ("Feed z_V2 [mm]", "Vorschub z_V2 [mm]"),
     (
         "Per millimetre of the worm's active profile, the largest over the tooth spaces.",
