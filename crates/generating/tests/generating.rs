@@ -299,7 +299,7 @@ fn plans_beyond_the_limits_are_refused_with_the_limit() {
     let setup = setup();
     let tight = DressingLimits { correction: [1e-5, 1e-5, 1e-3, 1e-3], delta_d: 1e-7 };
     let error = PlanTask { limits: tight, ..task(&setup) }.plan_by_rules().unwrap_err().error;
-    says(&error, "axis-limit", &["planning takes at most", "d_"], false);
+    says(&error, "axis-limit", &["planning takes at most", "dressing would have to"], false);
     // A ratio that is not exact enough is refused as a candidate, and made all the same when none is.
     let exact = PlanTask { tolerance: 1e-9, ratio: Some(-1.2), ..task(&setup) };
     let choice = exact.choose(&PlanningGrid::new(&setup, 9, 9)).unwrap();

@@ -173,7 +173,7 @@ fn parted(text: &str, by: &str, table: &dyn Fn(&str) -> Option<Said>) -> Option<
     said.map(|said| Said::joined(said, by))
 }
 
-/// How a member is said.
+/// What says a member.
 type Member<'a> = &'a dyn Fn(&str) -> Option<Said>;
 
 /// Several sentences.

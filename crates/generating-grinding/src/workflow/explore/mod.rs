@@ -29,7 +29,7 @@ pub const MOST_COMBINATIONS: usize = 100_000;
 
 /// The rule of the ranking, in words.
 pub const RANKING: &str = "allowed before refused before failed; among allowed and among refused ones those within the \
-    tolerance first, by score, then by worm occupation, then by residual; the others by residual";
+    tolerance first, by score, then by used worm width, then by residual; the others by residual";
 
 /// What a study found: the document of `explore.json`.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]

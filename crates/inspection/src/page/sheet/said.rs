@@ -1,5 +1,5 @@
-//! Texts of the sheet itself that stand beside words of files, or are broken into lines, in the language of the sheet. All others are said
-//! where they are drawn.
+//! Texts of the sheet itself that stand beside words of files, or are broken into lines, in the language of the sheet. All others get their
+//! language where they are drawn.
 
 use super::data::SheetData;
 use report::data::Fact;

@@ -50,7 +50,7 @@ pub(super) const TEXTS: &[Text] = &[
     ("teeth z", "Zähnezahl z"),
     ("{n} external", "{} außen"),
     ("{n} internal", "{} innen"),
-    ("module mn", "Modul mn"),
+    ("module mn", "Normalmodul mn"),
     ("pressure angle αn", "Eingriffswinkel αn"),
     ("helix angle β", "Schrägungswinkel β"),
     ("{n}° right-handed", "{}° rechtssteigend"),

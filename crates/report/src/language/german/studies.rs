@@ -60,7 +60,7 @@ pub(super) const TEXTS: &[Text] = &[
     ("Ranking: {}.", "Rangfolge: {}."),
     ("More rows in explore.csv: {n}.", "Weitere Zeilen in explore.csv: {}."),
     (
-        "allowed before refused before failed; among allowed and among refused ones those within the tolerance first, by score, then by worm occupation, then by residual; the others by residual",
+        "allowed before refused before failed; among allowed and among refused ones those within the tolerance first, by score, then by used worm width, then by residual; the others by residual",
         "zulässige vor abgelehnten vor gescheiterten; unter zulässigen und unter abgelehnten zuerst die innerhalb der Toleranz, nach Bewertung, dann nach genutzter Schneckenbreite, dann nach Rest; die übrigen nach Rest",
     ),
     (
