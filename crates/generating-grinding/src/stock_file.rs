@@ -5,6 +5,7 @@ use grinding_technology::{StockMap, TechnologyError};
 use job::decimal_comma::with_points;
 use job::table_rows::{Row, TableForm};
 use job::{Cell, Column, CsvError, CsvTable, Diagnostic, JobError, Problem, Source};
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -20,16 +21,28 @@ const MOST_UM: f64 = 5000.0;
 type Amounts = BTreeMap<Place, f64>;
 
 /// A place with an order.
-#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+#[derive(Clone, Copy, Debug)]
 struct Place(f64, f64);
 
-impl Eq for Place {}
-
 impl Ord for Place {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+    fn cmp(&self, other: &Self) -> Ordering {
         self.0.total_cmp(&other.0).then(self.1.total_cmp(&other.1))
     }
 }
+
+impl PartialOrd for Place {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Place {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Place {}
 
 /// Stock that a table adds on each flank; `None` for a flank without rows.
 #[derive(Clone, Debug, PartialEq)]

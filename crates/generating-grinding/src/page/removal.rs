@@ -375,7 +375,7 @@ fn rate_figure(name: &str, k: usize, map: &RateMapResult) -> Result<Figure, Char
         values: MapValues::Quantity(UNIT.to_owned()),
     };
     Ok(Figure::new(
-        &format!("specific-removal-rate-{}", k + 1),
+        format!("specific-removal-rate-{}", k + 1),
         contour_map_in(&chart, &frame)?,
         "Per millimetre of the worm's active profile, the largest over the tooth spaces.",
     ))

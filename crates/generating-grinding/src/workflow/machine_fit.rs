@@ -116,10 +116,10 @@ fn beyond(need: &AxisNeed) -> Remark {
 fn placed(machine: &Machine, station: Station, found: Vec<Positions>) -> Result<Positions, MachineError> {
     let solutions: Vec<Solution> = machine.judged(station, found)?;
     if let Ok(best) = machine.first(&solutions) {
-        return Ok(best.at.clone());
+        return Ok(best.at);
     }
     let fewest = solutions.iter().min_by_key(|solution| solution.beyond.len());
-    fewest.map(|solution| solution.at.clone()).ok_or_else(|| machine.limit_of(&solutions))
+    fewest.map(|solution| solution.at).ok_or_else(|| machine.limit_of(&solutions))
 }
 
 fn grinding_places(prepared: &Prepared, machine: &Machine) -> Result<Vec<Positions>, MachineError> {
