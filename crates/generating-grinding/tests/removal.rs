@@ -6,13 +6,13 @@ use generating_grinding::job::{CycleRule, LoadedJob, StrokeOfJob, StrokeShift};
 use generating_grinding::page::html_page;
 use generating_grinding::workflow::programs::OnGrinding;
 use generating_grinding::workflow::referee::{self, Cutting};
-use generating_grinding::workflow::{Outcome, plan_job};
+use generating_grinding::workflow::{JobResult, Outcome, plan_job};
 use job::read_job_of;
 use job::tables::OneOrSides;
 use motion::track;
 use run::RunFailure;
 use std::path::PathBuf;
-use verdict::{Status, Verdict};
+use verdict::Status;
 
 fn load(name: &str) -> LoadedJob {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples/cycles").join(name);
@@ -221,12 +221,12 @@ fn no_cycle_within_the_limits_names_the_one_that_binds() {
 /// is ground.
 #[test]
 fn roughing_with_a_ratio_of_its_own_stays_above_the_finished_flank() {
-    let judged = |left_um: f64| {
+    let judged = |left_um: f64, ratio: f64| {
         let mut loaded = load("truck-gear.toml");
         without_programs(&mut loaded);
         let technology = loaded.job.technology.as_mut().unwrap();
         technology.cycle = None;
-        technology.strokes = [(left_um, Some(0.0)), (0.0, None)]
+        technology.strokes = [(left_um, Some(ratio)), (0.0, None)]
             .map(|(left_um, ratio)| StrokeOfJob {
                 left_um: OneOrSides::Both(left_um),
                 feed_per_revolution: Some(0.3),
@@ -238,22 +238,35 @@ fn roughing_with_a_ratio_of_its_own_stays_above_the_finished_flank() {
                 zone: None,
             })
             .to_vec();
-        planned(&loaded).result.verdict
+        planned(&loaded).result
     };
-    let covered = judged(60.0);
-    let item = |verdict: &Verdict| {
-        let found = verdict.judged().iter().find(|one| one.item.contains("left flank after stroke 1"));
-        found.unwrap_or_else(|| panic!("{verdict:?}")).clone()
+    let item = |result: &JobResult| {
+        let found = result.verdict.judged().iter().find(|one| one.item.contains("left flank after stroke 1"));
+        found.unwrap_or_else(|| panic!("{:?}", result.verdict)).clone()
     };
-    assert_eq!((covered.status(), item(&covered).status), (Status::Met, Status::Met), "{covered:?}");
-    // The same height less what the stroke leaves is what its twist takes.
-    let height = |verdict: &Verdict| -> f64 {
-        item(verdict).detail.split(' ').next().and_then(|um| um.parse().ok()).unwrap()
+    // A pair of words before the number says which side it is on.
+    let height = |result: &JobResult| -> f64 {
+        let detail = item(result).detail;
+        let number = detail.split(' ').find_map(|word| word.parse::<f64>().ok()).unwrap();
+        if detail.contains("below") { -number } else { number }
     };
-    let taken = 60.0 - height(&covered);
-    assert!(taken > 0.5, "{taken}");
-    let bare = judged(0.5 * taken);
-    assert_eq!(bare.status(), Status::Missed);
-    assert_eq!(bare.reason().unwrap().code, "roughing-below-finished");
-    assert!((height(&bare) + 0.5 * taken).abs() < 0.05, "{} for {}", height(&bare), -0.5 * taken);
+    let covered = judged(60.0, 0.0);
+    assert_eq!(
+        (covered.verdict.status(), item(&covered).status),
+        (Status::Met, Status::Met),
+        "{:?}",
+        covered.verdict
+    );
+    // The ratio of the plan leaves the plan's flank, raised as it was asked for.
+    let planned_ratio = covered.settings.settings.diagonal_ratio;
+    assert!(
+        (height(&judged(1.0, planned_ratio)) - 1.0).abs() < 0.03,
+        "{}",
+        height(&judged(1.0, planned_ratio))
+    );
+    // Without a shift the natural twist takes more than the stroke leaves.
+    let bare = judged(0.1, 0.0);
+    assert_eq!(bare.verdict.status(), Status::Missed);
+    assert_eq!(bare.verdict.reason().unwrap().code, "roughing-below-finished");
+    assert!(height(&bare) < -0.1, "{}", height(&bare));
 }

@@ -29,7 +29,11 @@ pub fn judge_roughing(verdict: &mut Verdict, prepared: &Prepared, execution: &Ex
         let item = format!("{flank} flank after stroke {stroke}, which shifts by a ratio of its own");
         match least {
             Ok(least) => {
-                let detail = format!("{:.2} µm or more above the finished flank", 1e3 * least);
+                let detail = if least >= 0.0 {
+                    format!("{:.2} µm or more above the finished flank", 1e3 * least)
+                } else {
+                    format!("up to {:.2} µm below the finished flank", -1e3 * least)
+                };
                 verdict.judge(item, least >= 0.0, detail, || {
                     Remark::new(
                         "roughing-below-finished",

@@ -34,6 +34,7 @@ pub(super) const TEXTS: &[Text] = &[
         "rechte Flanke nach Hub {}, der mit eigenem Verhältnis shiftet",
     ),
     ("{n} µm or more above the finished flank", "mindestens {} µm über der fertigen Flanke"),
+    ("up to {n} µm below the finished flank", "bis {} µm unter der fertigen Flanke"),
     (
         "stroke {n} goes {n} um below the finished left flank: its shift leaves another twist than the plan, more than the {n} um that it is to leave",
         "Hub {} geht {} um unter die fertige linke Flanke: sein Shift lässt eine andere Verschränkung stehen als der Plan, mehr als die {} um, die er stehen lassen soll",
