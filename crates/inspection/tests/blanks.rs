@@ -115,6 +115,37 @@ fn shapes_are_those_of_the_traces() {
     }
 }
 
+/// One tooth has a profile, another a helix trace: the shape is that of both together, and a remark says so.
+#[test]
+fn lines_of_different_teeth_make_one_shape() {
+    let part =
+        MadePart { traced: vec![1, 8], wave: 0.0, pitch: false, positions: false, ..MadePart::new("B-3", 4) };
+    let text = part.text();
+    let (header, blocks) = text.split_once("Flankenlinie:").expect("lines");
+    let blocks = format!("Flankenlinie:{blocks}").replace("Profil:", "\u{1}Profil:");
+    let blocks = blocks.replace("Flankenlinie:", "\u{1}Flankenlinie:");
+    let is_kept = |block: &&str| {
+        let (helix, first) = (block.starts_with("Flankenlinie"), block.contains("Zahn-Nr.: 1 "));
+        helix == first
+    };
+    let kept: String = blocks.split('\u{1}').filter(is_kept).collect();
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("blank.mka");
+    std::fs::write(&path, header.to_owned() + &kept).expect("a file");
+    let found = blank(&path, "[stock]\nallowance_um = 100.0\n").expect("a blank");
+    let codes: Vec<&str> = found.result.remarks.iter().map(|remark| remark.code).collect();
+    assert_eq!(codes.iter().filter(|code| **code == "blank-of-single-lines").count(), 2, "{codes:?}");
+    assert_eq!(found.result.teeth_with_traces, Sides::both(0));
+    for flank in Flank::BOTH {
+        let of = found.flanks[flank].as_ref().expect("a flank");
+        assert_eq!(of.spaces.iter().map(|(space, _)| *space).collect::<Vec<usize>>(), [0]);
+        let (amounts, columns) = (&of.spaces[0].1, of.z.len());
+        let row = of.w.len() / 2 * columns;
+        let slope = (amounts[row + columns - 1] - amounts[row]) / 20.0 * 18.0;
+        assert!((slope - part.helix_slope[flank]).abs() < 0.2, "{flank}: {slope}");
+    }
+}
+
 #[test]
 fn a_blank_without_level_is_refused_and_one_of_another_gear_too() {
     let (_folder, path) = written(&level(), "");

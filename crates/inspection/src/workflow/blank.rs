@@ -17,6 +17,7 @@ use generating_grinding::job::LoadedJob;
 use generating_grinding::stock_file::{MeasuredStock, stock_table};
 use generating_grinding::workflow::prepare::prepare;
 use job::{Diagnostic, Problem};
+use measured_files::inspection::Inspection;
 use metrology::Topography;
 use run::{JobFailure, RunFailure, WriteError, write_set};
 use schemars::JsonSchema;
@@ -100,15 +101,36 @@ fn stock_of(
     let flanks = Sides::try_from_fn(|flank| {
         let [roll, face] = [setup.fields[flank].roll(), setup.fields[flank].face()];
         let (w, z) = (rounded(roll, PLACES[0]), rounded(face, PLACES[1]));
-        let found = measured_surface(inspection, &evaluated.gear, flank, [&w, &z], &|_, _, _| 0.0)
-            .map_err(|error| RunFailure::bad_input(Diagnostic::of(&error).field("FILE")))?;
-        let Some(found) = found else { return Ok(None) };
+        let surface = |inspection: &Inspection| {
+            measured_surface(inspection, &evaluated.gear, flank, [&w, &z], &|_, _, _| 0.0)
+                .map_err(|error| RunFailure::bad_input(Diagnostic::of(&error).field("FILE")))
+        };
+        let of_teeth = surface(inspection)?;
+        let crossed = of_teeth.is_some();
+        let found = match of_teeth {
+            Some(found) => found,
+            None => match surface(&of_one_tooth(inspection))? {
+                Some(found) => found,
+                None => return Ok(None),
+            },
+        };
         let about =
             |surface: &Topography| about_place(surface, [level.roll[flank], 0.5 * (face[0] + face[1])]);
         let shapes: Vec<(u32, Vec<f64>)> =
             found.teeth.iter().filter_map(|(tooth, surface)| Some((*tooth, about(surface)?))).collect();
         let Some(mean) = mean_of(&shapes) else { return Ok(None) };
-        teeth_with_traces[flank] = shapes.len();
+        if crossed {
+            teeth_with_traces[flank] = shapes.len();
+        } else {
+            remarks.push(Remark {
+                code: "blank-of-single-lines",
+                text: format!(
+                    "no tooth has a profile and a helix trace of its {flank} flank: its shape is that of lines of several teeth"
+                ),
+                way_out: "measure one profile and one helix trace of the same tooth".into(),
+            });
+        }
+        let shapes = if crossed { shapes } else { Vec::new() };
         let of_space = |space: usize| {
             let tooth = tooth_of(flank, space, teeth);
             let own = shapes.iter().find(|(number, _)| *number as usize == tooth + 1);
@@ -117,17 +139,18 @@ fn stock_of(
             let over = level.amount[flank] - stated[flank] + by_pitch;
             // Hundredths of a micrometre are far below what a machine measures.
             let um = shape.iter().map(|f| (1e2 * UM * (f + over)).round() * 1e-2).collect();
-            // Without pitches the others have the mean of those with traces, which the reader of the table knows.
-            (pitch.is_some() || own.is_some()).then_some((space, um))
+            // Without pitches the others have the mean of those that stand there, as the reader of the table takes it.
+            let alike = shapes.is_empty() && space == 0;
+            (pitch.is_some() || own.is_some() || alike).then_some((space, um))
         };
         let spaces: Vec<(usize, Vec<f64>)> = (0..teeth).filter_map(of_space).collect();
         Ok::<_, RunFailure>(Some(MeasuredStock { w, z, spaces }))
     })?;
     if flanks.iter().all(|(_, found)| found.is_none()) {
         let finding =
-            Diagnostic::new(Problem::InvalidTable, "no tooth has a profile and a helix trace that cross")
+            Diagnostic::new(Problem::InvalidTable, "no flank has a profile and a helix trace that cross")
                 .field("FILE")
-                .allowed("profiles and helix traces of at least one tooth on a flank, or points of a field")
+                .allowed("a profile and a helix trace of at least one flank, or points of a field")
                 .way_out("measure one profile and one helix trace of some teeth");
         return Err(RunFailure::bad_input(finding));
     }
@@ -146,6 +169,13 @@ fn stock_of(
         remarks,
     };
     Ok(BlankStock { flanks, result })
+}
+
+/// The lines of all teeth as if one tooth had them.
+fn of_one_tooth(inspection: &Inspection) -> Inspection {
+    let mut together = inspection.clone();
+    together.traces.iter_mut().for_each(|trace| trace.tooth = 1);
+    together
 }
 
 /// Equidistant places, to a micrometre.
