@@ -209,6 +209,14 @@ impl GrindingSetup {
         })
     }
 
+    /// Diameter in the section z = 0 from which the worm's tip generates the involute of a flank, mm; `None` for a tip inside the base
+    /// circle of the worm's own involute.
+    pub fn generated_from(&self, flank: Flank) -> Option<f64> {
+        let pair = &self.pair.flanks[flank];
+        let at_tip = pair.worm.length_of_roll(self.worm_tip_radius).ok()?;
+        Some(2.0 * pair.work.radius(pair.work_roll(at_tip, 0.0, 0.0).max(0.0)))
+    }
+
     /// The same bodies with other lines on the tool, tan(rho_1).
     pub fn with_tool_direction(mut self, direction: Sides<f64>) -> Self {
         self.input.tool_direction = Some(direction);

@@ -36,15 +36,12 @@ impl ToothMeasures {
         let blank = blank_of_job(drawing);
         let wanted = drawing.measured_over.unwrap_or_default();
         if let Some(teeth) = wanted.span_teeth {
-            let span = gear.span(teeth).map_err(|e| of_measure("span_teeth", teeth.to_string(), &e))?;
-            blank.check_span(gear, &span).map_err(|e| of_measure("span_teeth", teeth.to_string(), &e))?;
+            let checked = gear.span(teeth).and_then(|span| blank.check_span(gear, &span));
+            checked.map_err(|e| of_measure("span_teeth", teeth.to_string(), &e))?;
         }
         if let Some(ball) = wanted.ball_diameter {
-            let balls = gear.over_balls(ball, 0.0);
-            let balls = balls.map_err(|e| of_measure("ball_diameter", shown_number(ball), &e))?;
-            blank
-                .check_balls(gear, &balls)
-                .map_err(|e| of_measure("ball_diameter", shown_number(ball), &e))?;
+            let checked = gear.over_balls(ball, 0.0).and_then(|balls| blank.check_balls(gear, &balls));
+            checked.map_err(|e| of_measure("ball_diameter", shown_number(ball), &e))?;
         }
         if let Some(roll) = wanted.roll_diameter {
             check_roll(drawing, gear, roll)?;

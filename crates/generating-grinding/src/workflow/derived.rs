@@ -65,10 +65,9 @@ pub fn of_grinding(
 fn contact_section(derived: &mut DerivedGeometry, ready: &Prepared) {
     let setup = &ready.setup;
     derived.section("reach and feed");
-    for flank in machine_fit::which(ready) {
-        let pair = &setup.pair.flanks[flank];
-        let Ok(at_tip) = pair.worm.length_of_roll(setup.worm_tip_radius) else { continue };
-        let from = 2.0 * pair.work.radius(pair.work_roll(at_tip, 0.0, 0.0).max(0.0));
+    let ground = ready.ground_flanks();
+    for &flank in &ground {
+        let Some(from) = setup.generated_from(flank) else { continue };
         let (key, label) = match flank {
             Flank::Left => ("generated_from_left_mm", "worm's tip generates the involute from d, left"),
             Flank::Right => ("generated_from_right_mm", "worm's tip generates the involute from d, right"),
@@ -92,7 +91,7 @@ fn contact_section(derived: &mut DerivedGeometry, ready: &Prepared) {
     );
     let (ratio, law) = machine_fit::shift_known_before(ready);
     if ready.law.is_none() {
-        let label = if ready.rules.given_ratio.is_some() || ready.rules.radial {
+        let label = if ready.rules.known_ratio().is_some() {
             "diagonal ratio"
         } else {
             "diagonal ratio (a plan chooses it)"
@@ -102,7 +101,7 @@ fn contact_section(derived: &mut DerivedGeometry, ready: &Prepared) {
     let [from, to] = machine_fit::feeds(ready, &law);
     derived.quantity("feed_from_mm", "feed z_V2 from, with overrun", from, "mm");
     derived.quantity("feed_to_mm", "feed z_V2 to, with overrun", to, "mm");
-    let [low, high] = setup.occupation(&law, &machine_fit::which(ready));
+    let [low, high] = setup.occupation(&law, &ground);
     derived.quantity("worm_used_mm", "width of the worm that grinds", high - low, "mm");
     if let Some(width) = setup.input.worm_width {
         let room = width - (high - low) - 2.0 * setup.run_in();

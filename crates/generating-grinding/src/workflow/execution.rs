@@ -262,8 +262,7 @@ impl Execution {
             Some(pieces) => law_of_pieces(pieces, "settings.delta_phi_2_pieces")?.scaled(1e-6),
             None => scaled(&settings.delta_phi_2_urad, 1e-6),
         };
-        let which: Vec<Flank> =
-            prepared.targets.iter().filter(|(_, t)| t.is_some()).map(|(flank, _)| flank).collect();
+        let which = prepared.ground_flanks();
         let worms = Sides::try_from_fn(|flank| -> Result<_, RunFailure> {
             if prepared.targets[flank].is_none() {
                 return Ok(None);

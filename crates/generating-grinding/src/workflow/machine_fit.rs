@@ -2,7 +2,6 @@
 //! bodies alone. Corrections of a plan, approaches and turns of the spindles come on top.
 
 use super::prepare::Prepared;
-use foundation::geometry::Flank;
 use foundation::kinematics::{DressingMotion, GeneratingState, MotionLaw};
 use foundation::numerics::extremes;
 use generating::{FeedLaw, dressing_interval};
@@ -44,19 +43,14 @@ pub struct MachineFit {
 
 /// The shift that the fit is worked out for: the job's own law or ratio, else none.
 pub fn shift_known_before(prepared: &Prepared) -> (f64, MotionLaw) {
-    let ratio = if prepared.rules.radial { 0.0 } else { prepared.rules.given_ratio.unwrap_or(0.0) };
-    let centred = || FeedLaw::Ratio(ratio).law(&prepared.setup, &which(prepared));
+    let ratio = prepared.rules.known_ratio().unwrap_or(0.0);
+    let centred = || FeedLaw::Ratio(ratio).law(&prepared.setup, &prepared.ground_flanks());
     (ratio, prepared.law.clone().unwrap_or_else(centred))
-}
-
-/// Flanks that are ground.
-pub fn which(prepared: &Prepared) -> Vec<Flank> {
-    Flank::BOTH.into_iter().filter(|&flank| prepared.targets[flank].is_some()).collect()
 }
 
 /// Feeds z_V2 at which grinding begins and ends, mm: contact on the evaluated field with the overrun at both ends.
 pub fn feeds(prepared: &Prepared, law: &MotionLaw) -> [f64; 2] {
-    let [from, to] = prepared.setup.feed_range(law, &which(prepared));
+    let [from, to] = prepared.setup.feed_range(law, &prepared.ground_flanks());
     [from - prepared.cycle.overrun, to + prepared.cycle.overrun]
 }
 
@@ -149,7 +143,7 @@ fn dressing_places(prepared: &Prepared, machine: &Machine) -> Result<Vec<Positio
     let (_, law) = shift_known_before(prepared);
     let technology = &prepared.technology;
     let mut places = Vec::new();
-    for flank in which(prepared) {
+    for flank in prepared.ground_flanks() {
         let (from, to) = dressing_interval(&prepared.setup, dresser, &law, flank, DRESSING_MARGIN);
         let motion = DressingMotion::constant(dresser.flanks[flank].chain, [0.0; 4]);
         // A worm with a stated width passes the dresser from end to end.

@@ -7,7 +7,7 @@ use super::programs::StrokeLaw;
 use super::programs::work::levers_of;
 use contact::{ContactSolution, StandOff};
 use dressing::DressedWorm;
-use foundation::geometry::Flank;
+use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::GeneratingMotion;
 use generating::PlanningGrid;
 use verdict::{Remark, Verdict};
@@ -63,25 +63,35 @@ pub fn judge_roughing(verdict: &mut Verdict, prepared: &Prepared, execution: &Ex
 }
 
 fn roughed(prepared: &Prepared, execution: &Execution) -> Vec<Roughed> {
+    let own: Vec<_> = (prepared.technology.strokes.iter().enumerate())
+        .filter(|(_, stroke)| !stroke.finishes())
+        .filter_map(|(k, stroke)| match &stroke.shift {
+            StrokeLaw::Own(law) => Some((k, stroke, law)),
+            StrokeLaw::Planned => None,
+        })
+        .collect();
+    if own.is_empty() {
+        return Vec::new();
+    }
     let setup = &prepared.setup;
     let (profile_points, helix_points) = prepared.rules.grid();
     let grid = PlanningGrid::new(setup, profile_points, helix_points);
     let ground: Vec<Flank> =
         Flank::BOTH.into_iter().filter(|&flank| execution.flanks[flank].is_some()).collect();
+    let of = |flank: Flank, motion: &GeneratingMotion| flank_of(prepared, execution, (flank, &grid), motion);
+    let finished = Sides::from_fn(|flank| of(flank, &execution.motion));
     let mut found = Vec::new();
-    for (k, stroke) in prepared.technology.strokes.iter().enumerate().filter(|(_, stroke)| !stroke.finishes())
-    {
-        let StrokeLaw::Own(law) = &stroke.shift else { continue };
+    for (k, stroke, law) in own {
         let mut motion = execution.motion.clone();
         let infeed = StandOff::of_ground(levers_of(setup, &ground), stroke.left);
         motion.delta_d = motion.delta_d.raised(infeed.delta_d);
         motion.delta_phi_2 = motion.delta_phi_2.raised(infeed.delta_phi_2);
         motion.shift = law.clone();
         for &flank in &ground {
-            let of = |motion| flank_of(prepared, execution, (flank, &grid), motion);
             let height = || {
-                let (finished, roughed) = (of(&execution.motion)?, of(&motion)?);
-                let apart = roughed.iter().zip(&finished).map(|(above, below)| above.f_n - below.f_n);
+                let finished = finished[flank].as_ref().map_err(Clone::clone)?;
+                let roughed = of(flank, &motion)?;
+                let apart = roughed.iter().zip(finished).map(|(above, below)| above.f_n - below.f_n);
                 Ok(apart.fold(f64::INFINITY, f64::min))
             };
             found.push(Roughed { stroke: k + 1, flank, left: stroke.left[flank], least: height() });

@@ -85,7 +85,7 @@ fn stock_of(
     let finished = &setup.input.gear;
     let allowance = loaded.job.stock.as_ref().and_then(|stock| stock.allowance_um);
     let allowance = allowance.map(|um| um.sides().map(|_, um| um / UM));
-    let level = Level::new(loaded, finished, (&evaluated, allowance))?;
+    let level = Level::new(finished, &evaluated, allowance)?;
     let stated = allowance.unwrap_or(Sides::both(0.0));
     let mut remarks = files.remarks.clone();
     let pitch = pitch_of(inspection.conditions.turned, finished, &evaluated);
@@ -114,8 +114,8 @@ fn stock_of(
                 None => return Ok(None),
             },
         };
-        let about =
-            |surface: &Topography| about_place(surface, [level.roll[flank], 0.5 * (face[0] + face[1])]);
+        let place = [middle_roll(loaded, finished, flank), 0.5 * (face[0] + face[1])];
+        let about = |surface: &Topography| about_place(surface, place);
         let shapes: Vec<(u32, Vec<f64>)> =
             found.teeth.iter().filter_map(|(tooth, surface)| Some((*tooth, about(surface)?))).collect();
         let Some(mean) = mean_of(&shapes) else { return Ok(None) };
@@ -183,27 +183,19 @@ fn rounded(ends: [f64; 2], count: usize) -> Vec<f64> {
     equidistant(ends, count).into_iter().map(|place| (1e3 * place).round() * 1e-3).collect()
 }
 
-/// How far both flanks of the blank stand over the finished ones, and where on the profile that was seen. mm
+/// How far both flanks of the blank stand over the finished ones in the middle of the profile, mm.
 struct Level {
     amount: Sides<f64>,
-    roll: Sides<f64>,
     from: &'static str,
 }
 
 impl Level {
     fn new(
-        loaded: &LoadedJob,
         finished: &Gear,
-        (evaluated, allowance): (&EvaluatedGear, Option<Sides<f64>>),
+        evaluated: &EvaluatedGear,
+        allowance: Option<Sides<f64>>,
     ) -> Result<Self, RunFailure> {
         let thickness = &evaluated.thickness;
-        let middle = || {
-            Sides::from_fn(|flank| {
-                let range = loaded.job.gear.evaluation_range();
-                let radius = 0.25 * (range.start_diameter + range.end_diameter);
-                finished.flank(flank).length_of_roll(radius).unwrap_or(0.0)
-            })
-        };
         // Of thicker teeth the half space is narrower: the flanks stand nearer to each other by this angle.
         let over = |blank: &Gear| {
             Sides::from_fn(|flank| {
@@ -213,10 +205,10 @@ impl Level {
         };
         if thickness.by_span.is_some() || thickness.by_balls.is_some() {
             let from = if thickness.by_span.is_some() { "span" } else { "balls" };
-            return Ok(Self { amount: over(&evaluated.gear), roll: middle(), from });
+            return Ok(Self { amount: over(&evaluated.gear), from });
         }
         if let Some(amount) = allowance {
-            return Ok(Self { amount, roll: middle(), from: "stock.allowance_um" });
+            return Ok(Self { amount, from: "stock.allowance_um" });
         }
         let finding = Diagnostic::new(
             Problem::MissingKey,
@@ -227,6 +219,13 @@ impl Level {
         .way_out("give stock.allowance_um in the job: the stock in the middle of the flank");
         Err(RunFailure::bad_input(finding))
     }
+}
+
+/// Length of roll in the middle of the evaluated profile, mm: where the level of a shape is that of the tooth thickness.
+fn middle_roll(loaded: &LoadedJob, finished: &Gear, flank: Flank) -> f64 {
+    let range = loaded.job.gear.evaluation_range();
+    let radius = 0.25 * (range.start_diameter + range.end_diameter);
+    finished.flank(flank).length_of_roll(radius).unwrap_or(0.0)
 }
 
 /// Stock of each tooth by its pitch about the mean, normal, mm, tooth 1 first; `None` where the pitches of a flank are not known.

@@ -154,16 +154,17 @@ fn panels(chart: &AxisChart) -> [Panel<'_>; 3] {
     let number = |x: f64| format_significant(x, 6);
     let (low, high) = range(&chart.position);
     let travel = chart.limits.travel;
+    let spaced_unit = if unit == "deg" { "°".to_owned() } else { format!(" {unit}") };
     let position = Panel {
         title: format!("position [{unit}]"),
         values: &chart.position,
         range: (low, high),
         limits: travel.map_or(Vec::new(), |ends| ends.to_vec()),
         allowed: match travel {
-            Some([from, to]) => [format!("travel {} .. {}", number(from), number(to)), {
-                let space = if unit == "deg" { "°".to_owned() } else { format!(" {unit}") };
-                format!("{}{space} to spare", format_significant((low - from).min(to - high), 3))
-            }],
+            Some([from, to]) => [
+                format!("travel {} .. {}", number(from), number(to)),
+                format!("{}{spaced_unit} to spare", format_significant((low - from).min(to - high), 3)),
+            ],
             None => ["travel without ends".into(), String::new()],
         },
     };

@@ -133,11 +133,15 @@ fn known(text: &str) -> Option<Said> {
     said
 }
 
+/// A text of the table without holes.
+fn fixed(text: &str) -> Option<Said> {
+    TABLE.fixed.get(text).map(|german| Said::whole(*german))
+}
+
 fn looked_up(text: &str) -> Option<Said> {
-    let fixed = |text: &str| TABLE.fixed.get(text).map(|german| Said::whole(*german));
     // What is fixed goes before what has holes, for a hole takes anything.
     begun(text, &fixed)
-        .or_else(|| parted(text, ", ", &fixed))
+        .or_else(|| parted(text, [", "; 2], &fixed))
         .or_else(|| sequence(text, &whole))
         .or_else(|| begun(text, &sentence).filter(|said| said.left.is_empty()))
         .or_else(|| stopped(text, &whole))
@@ -149,8 +153,11 @@ fn looked_up(text: &str) -> Option<Said> {
         .or_else(|| begun(text, &sentence))
 }
 
+/// What says a text or a member of one.
+type Member<'a> = &'a dyn Fn(&str) -> Option<Said>;
+
 /// A text as it is, or with a small letter where a capital stands because it is the beginning of a sentence.
-fn begun(text: &str, table: &dyn Fn(&str) -> Option<Said>) -> Option<Said> {
+fn begun(text: &str, table: Member<'_>) -> Option<Said> {
     if let Some(said) = table(text) {
         return Some(said);
     }
@@ -163,18 +170,15 @@ fn begun(text: &str, table: &dyn Fn(&str) -> Option<Said>) -> Option<Said> {
     Some(Said { text: first.to_uppercase().chain(letters).collect(), left: said.left })
 }
 
-/// A text of several members whose every one a table knows.
-fn parted(text: &str, by: &str, table: &dyn Fn(&str) -> Option<Said>) -> Option<Said> {
-    let members: Vec<&str> = text.split(by).collect();
+/// A text of several members whose every one a table knows, with what parts them in English and in German.
+fn parted(text: &str, [english, german]: [&str; 2], table: Member<'_>) -> Option<Said> {
+    let members: Vec<&str> = text.split(english).collect();
     if members.len() < 2 {
         return None;
     }
     let said: Option<Vec<Said>> = members.into_iter().map(table).collect();
-    said.map(|said| Said::joined(said, by))
+    said.map(|said| Said::joined(said, german))
 }
-
-/// What says a member.
-type Member<'a> = &'a dyn Fn(&str) -> Option<Said>;
 
 /// Several sentences.
 fn sequence(text: &str, member: Member<'_>) -> Option<Said> {
@@ -212,18 +216,17 @@ fn clauses(text: &str, member: Member<'_>) -> Option<Said> {
         let said = member(before)?;
         Some(Said { text: format!("{} [{unit}]", said.text), left: said.left })
     };
-    let with_and = || {
-        let said = parted(text, " and ", member)?;
-        Some(Said { text: said.text.replace(" and ", " und "), left: said.left })
-    };
-    parted(text, "; ", member).or_else(|| list(text)).or_else(at_colon).or_else(with_unit).or_else(with_and)
+    parted(text, ["; "; 2], member)
+        .or_else(|| list(text))
+        .or_else(at_colon)
+        .or_else(with_unit)
+        .or_else(|| parted(text, [" and ", " und "], member))
 }
 
 /// A list whose members may have commas themselves: from its beginning on, the shortest members that the table knows.
 fn list(text: &str) -> Option<Said> {
     let commas: Vec<usize> = text.match_indices(", ").map(|(at, _)| at).collect();
     let member = |text: &str| {
-        let fixed = |text: &str| TABLE.fixed.get(text).map(|german| Said::whole(*german));
         let known =
             || begun(text, &fixed).or_else(|| begun(text, &sentence)).filter(|said| said.left.is_empty());
         let at_colon = || {

@@ -25,6 +25,7 @@ pub use removal::{
     CycleLimits, DressingWanted, RemovalTask, ShopLimit, SpeedLimits, StrokesWanted, WantedStroke,
 };
 pub use settings::GivenSettings;
+pub use stock::bodies_on_stock;
 pub use targets::{tolerance_of_job, wanted_flanks};
 
 use super::equal_ratio_offers::free_lines;
@@ -172,6 +173,11 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
 }
 
 impl Prepared {
+    /// The flanks that are ground.
+    pub fn ground_flanks(&self) -> Vec<Flank> {
+        Flank::BOTH.into_iter().filter(|&flank| self.targets[flank].is_some()).collect()
+    }
+
     /// With the machine of the job, where it names one, so that programs are made for it.
     ///
     /// # Errors

@@ -36,6 +36,11 @@ pub struct PlanningRules {
 }
 
 impl PlanningRules {
+    /// The diagonal ratio as far as the job fixes it: 0 for a worm that is not shifted.
+    pub fn known_ratio(&self) -> Option<f64> {
+        if self.radial { Some(0.0) } else { self.given_ratio }
+    }
+
     /// Of a job whose dresser is made for it, or given.
     ///
     /// # Errors
@@ -151,7 +156,7 @@ impl Prepared {
             limits: rules.limits,
             prefer: rules.prefer,
             least_determinant: rules.least_determinant,
-            ratio: if rules.radial { Some(0.0) } else { rules.given_ratio },
+            ratio: rules.known_ratio(),
             law: self.law.clone(),
             norm: rules.norm,
             gauge: rules.gauge,

@@ -77,16 +77,23 @@ pub(super) fn stock_of_job(
     Ok(StockOnGear { stock, spaces_left_out })
 }
 
+/// Worm and gear of a setup as what stock is worked out with.
+///
+/// # Errors
+/// [`TechnologyError::CylindricalOnly`] for cones; contact below a base circle.
+pub fn bodies_on_stock(setup: &GrindingSetup) -> Result<Bodies, TechnologyError> {
+    let roll = Sides::from_fn(|flank| setup.fields[flank].roll());
+    Bodies::new(setup.pair.clone(), setup.largest_tip_radius, setup.input.blank.face_width, roll)
+}
+
 /// Feed marks of the hob, by their height or by the hob.
 fn marks(hob: JobHob, setup: &GrindingSetup) -> Result<HobMarks, RunFailure> {
     let JobHob { feed, height_um, tip_diameter, threads, origin } = hob;
     let height = match (height_um, tip_diameter.zip(threads)) {
         (Some(um), _) => UM * um,
         (None, Some((tip_diameter, threads))) => {
-            let roll = Sides::from_fn(|flank| setup.fields[flank].roll());
-            let face_width = setup.input.blank.face_width;
             // A job's range bounds the threads.
-            let height = Bodies::new(setup.pair.clone(), setup.largest_tip_radius, face_width, roll)
+            let height = bodies_on_stock(setup)
                 .and_then(|bodies| hob_mark_height(&bodies, (threads as i32, tip_diameter), feed));
             match height {
                 Ok(height) => height,

@@ -189,7 +189,7 @@ fn short_tip(prepared: &Prepared, w: f64) -> Option<ShortTip> {
     }
     let tip_diameter = 2.0 * setup.worm_tip_radius;
     let [asked_from, ..] = setup.input.evaluation;
-    Flank::BOTH.into_iter().filter(|&flank| prepared.targets[flank].is_some()).find_map(|flank| {
+    prepared.ground_flanks().into_iter().find_map(|flank| {
         let pair = &setup.pair.flanks[flank];
         let at_tip = pair.worm.length_of_roll(setup.worm_tip_radius).ok()?;
         if pair.worm_roll(w, 0.0, 0.0) < at_tip - NEAR_TIP {
@@ -198,7 +198,7 @@ fn short_tip(prepared: &Prepared, w: f64) -> Option<ShortTip> {
         let start = pair.work.length_of_roll(asked_from / 2.0).ok()?;
         let needed = pair.worm_roll(start, 0.0, 0.0) + ROOM_AT_TIP;
         Some(ShortTip {
-            generated_from: 2.0 * pair.work.radius(pair.work_roll(at_tip, 0.0, 0.0).max(0.0)),
+            generated_from: setup.generated_from(flank)?,
             asked_from,
             enough: 2.0 * pair.worm.radius(needed),
             tip_diameter,

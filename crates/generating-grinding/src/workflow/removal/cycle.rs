@@ -4,12 +4,12 @@ use super::offers::CycleOffers;
 use crate::job::{CycleRule, StrokeZone};
 use crate::workflow::execution::Execution;
 use crate::workflow::partition::Partition;
-use crate::workflow::prepare::{Prepared, RemovalTask, StrokesWanted, WantedStroke};
+use crate::workflow::prepare::{Prepared, RemovalTask, StrokesWanted, WantedStroke, bodies_on_stock};
 use crate::workflow::programs::{GrindingStroke, StockContact, StrokeLaw};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::MotionLaw;
 use grinding_technology::{
-    Bodies, Cycle, Direction, OptimumRow, Shift, StockField, Stroke, StrokeFigures, TechnologyError,
+    Cycle, Direction, OptimumRow, Shift, StockField, Stroke, StrokeFigures, TechnologyError,
 };
 
 /// A shift within this of a straight line over the stroke is one, mm.
@@ -109,10 +109,7 @@ impl RunCycle {
         execution: &Execution,
         (task, partition): (&RemovalTask, Option<&Partition>),
     ) -> Result<Self, TechnologyError> {
-        let setup = &prepared.setup;
-        let roll = Sides::from_fn(|flank| setup.fields[flank].roll());
-        let face_width = setup.input.blank.face_width;
-        let bodies = Bodies::new(setup.pair.clone(), setup.largest_tip_radius, face_width, roll)?;
+        let bodies = bodies_on_stock(&prepared.setup)?;
         let field = StockField::new(task.stock.clone(), &bodies)?;
         let shifts = PlannedShifts::new(prepared, execution, partition);
         let ratios = [shifts.roughing.ratio, shifts.finishing.ratio];
