@@ -2,11 +2,13 @@
 
 use foundation::geometry::Flank;
 use foundation::numerics::Silent;
-use generating_grinding::job::{CycleRule, LoadedJob, StrokeOfJob, StrokeShift};
+use generating_grinding::job::{CycleRule, LoadedJob, Stock, StrokeOfJob, StrokeShift, Technology};
 use generating_grinding::page::html_page;
 use generating_grinding::workflow::programs::OnGrinding;
 use generating_grinding::workflow::referee::{self, Cutting};
+use generating_grinding::workflow::removal::{CycleResult, put_on_stock};
 use generating_grinding::workflow::{JobResult, Outcome, plan_job};
+use grinding_technology::Ground;
 use job::read_job_of;
 use job::tables::OneOrSides;
 use motion::track;
@@ -109,12 +111,120 @@ fn limits_stock_and_strokes_are_held_against_each_other() {
 
 #[test]
 fn what_is_not_worked_out_is_said() {
-    let one = run(|loaded| {
-        without_programs(loaded);
-        loaded.job.grinding.flanks = job::tables::Flanks::Left;
-    });
+    let path =
+        PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples/beveloid-cylindrical-worm.toml");
+    let mut loaded: LoadedJob = read_job_of(&path).unwrap();
+    (loaded.job.grid.profile_points, loaded.job.grid.helix_points) = (5, 5);
+    loaded.job.stock = load("planet-gear.toml").job.stock.map(|stock| Stock { profile: Vec::new(), ..stock });
+    let one = planned(&loaded);
     assert!(one.result.removal.is_none());
     assert!(codes(&one).contains(&"removal-not-worked-out"), "{:?}", codes(&one));
+}
+
+/// Time of the grinding programs over that by the law of moves from rest to rest.
+fn time_over_law(outcome: &Outcome) -> f64 {
+    let time = outcome.result.removal.as_ref().unwrap().part_time.unwrap();
+    time.grinding_s / time.grinding_by_law_s.unwrap()
+}
+
+/// A flank that is ground by itself: only its stock counts.
+#[test]
+fn one_flank_is_ground_by_itself() {
+    let outcome = run(|loaded| {
+        loaded.job.grinding.flanks = job::tables::Flanks::Left;
+        loaded.job.stock.as_mut().unwrap().allowance_um = Some(OneOrSides::Each { left: 110.0, right: -5.0 });
+    });
+    let removal = outcome.result.removal.as_ref().unwrap();
+    assert_eq!(removal.strokes.len(), 3);
+    for stroke in &removal.strokes {
+        assert!(stroke.flanks.left.is_some() && stroke.flanks.right.is_none());
+        assert!(stroke.left_um.right.is_none());
+    }
+    // What is missing on the flank that is not ground is not judged.
+    assert_eq!(outcome.result.verdict.status(), Status::Met, "{:?}", outcome.result.verdict);
+    let both = run(without_programs);
+    let left = |outcome: &Outcome| outcome.result.removal.as_ref().unwrap().strokes[0].flanks.left.unwrap();
+    assert_eq!(left(&outcome).depth_um, left(&both).depth_um);
+    assert!((time_over_law(&outcome) - 1.0).abs() < 0.01, "{}", time_over_law(&outcome));
+    let page = html_page(&outcome, &[]).unwrap();
+    assert!(page.contains("<h2>Stock, strokes and cost</h2>"));
+}
+
+/// A motion that brings the flanks into contact one after the other has every stroke twice.
+#[test]
+fn flanks_are_ground_one_after_the_other() {
+    let mut together = run(without_programs);
+    let mut execution = together.execution.clone();
+    execution.motion.phase.left += 0.3;
+    assert!(!execution.grinds_both_at_once());
+    let cycle = put_on_stock(&mut together.prepared, &execution).unwrap().unwrap();
+    let both = together.result.removal.as_ref().unwrap();
+    let strokes = &cycle.cycle.strokes;
+    assert_eq!(strokes.len(), 6);
+    for (k, both) in both.strokes.iter().enumerate() {
+        let [left, right] = [&strokes[k], &strokes[k + 3]];
+        assert!(
+            left.stroke.ground == Ground::Only(Flank::Left)
+                && right.stroke.ground == Ground::Only(Flank::Right)
+        );
+        let taken = left.volume + right.volume;
+        assert!((taken - both.volume_mm3).abs() < 1e-9 * (1.0 + taken), "{taken} {}", both.volume_mm3);
+    }
+    // Programs drive a flank's own strokes for it.
+    let technology = &together.prepared.technology;
+    assert_eq!((technology.strokes.len(), technology.strokes_of_a_pass()), (6, 3));
+    assert!(
+        technology.strokes.iter().map(|stroke| stroke.ground).eq(strokes.iter().map(|f| f.stroke.ground))
+    );
+    // Cycles within the limits know that every stroke is made twice.
+    let fastest = cycle.offers.unwrap().optimum.best.cycle.unwrap();
+    assert!(fastest.time > both.cycles.as_ref().unwrap().fastest.part_s);
+}
+
+/// A shift that is not straight loads the worm where it stands: the example of a ratio that varies, on stock.
+#[test]
+fn a_ratio_that_varies_is_worked_out() {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples/variable-ratio.toml");
+    let mut loaded: LoadedJob = read_job_of(&path).unwrap();
+    (loaded.job.grid.profile_points, loaded.job.grid.helix_points) = (5, 5);
+    let cycle = load("planet-gear.toml").job;
+    loaded.job.stock = cycle.stock.map(|stock| Stock { profile: Vec::new(), run_out: None, ..stock });
+    let technology = cycle.technology.unwrap();
+    loaded.job.technology = Some(Technology { times: None, cost: None, ..technology });
+    let outcome = planned(&loaded);
+    let removal = outcome.result.removal.as_ref().unwrap();
+    let law = &outcome.execution.motion.shift;
+    assert!(!law.is_affine());
+    let stroke = removal.strokes.last().unwrap();
+    let [from, to] = stroke.contact_mm;
+    assert!((stroke.diagonal_ratio - (law.value(to) - law.value(from)) / (to - from)).abs() < 1e-12);
+    let load = removal.worm_load.as_ref().unwrap();
+    assert!(load.parts_per_dressing > 0 && load.removed_mm3_per_mm.left.iter().all(|v| *v == 0.0));
+    // Where the shift is steeper the load is thinner: the largest stands where it is flattest.
+    let largest = load.removed_mm3_per_mm.right.iter().copied().fold(0.0, f64::max);
+    let mean = load.removed_mm3_per_mm.right.iter().sum::<f64>() / load.removed_mm3_per_mm.right.len() as f64;
+    assert!(largest > 1.2 * mean, "{largest} {mean}");
+}
+
+/// The cheapest cycle never costs more than the others, by the rates of the shop.
+#[test]
+fn the_cheapest_cycle_is_taken_where_it_is_asked_for() {
+    let outcome = run(|loaded| {
+        without_programs(loaded);
+        let machine = loaded.job.machine.as_mut().unwrap();
+        (machine.roughing_stock_um, machine.spark_out) = (Vec::new(), 0);
+        loaded.job.grinding.feed_per_revolution = None;
+        let technology = loaded.job.technology.as_mut().unwrap();
+        technology.cycle = Some(CycleRule::Cheapest);
+        technology.cost.as_mut().unwrap().worm_price = 30_000.0;
+    });
+    let removal = outcome.result.removal.as_ref().unwrap();
+    let cycles = removal.cycles.as_ref().unwrap();
+    let cheapest = cycles.cheapest.unwrap();
+    let cost = |cycle: &CycleResult| cycle.cost_per_part.unwrap();
+    assert!(cost(&cheapest) <= cost(&cycles.fastest).min(cost(&cycles.standard)));
+    assert!(cheapest.part_s >= cycles.fastest.part_s);
+    assert_eq!(removal.strokes.len(), cheapest.roughing_strokes + 1);
 }
 
 /// What a rule chooses keeps the limits and comes near one with every stroke; the fastest is never slower than the standard cycle.
@@ -135,7 +245,7 @@ fn cycles_by_a_rule_use_their_limits() {
         let chosen = if rule == CycleRule::Standard { cycles.standard } else { cycles.fastest };
         assert_eq!(removal.strokes.len(), chosen.roughing_strokes + 1);
         let finishing = removal.strokes.last().unwrap();
-        assert!((finishing.flanks.left.depth_um - chosen.finishing_um).abs() < 0.1);
+        assert!((finishing.flanks.left.unwrap().depth_um - chosen.finishing_um).abs() < 0.1);
     }
 }
 
@@ -148,7 +258,7 @@ fn rays_find_what_a_stroke_leaves() {
     loaded.job.target.modifications = Some(Vec::new());
     let run = planned(&loaded);
     let outcome = &run.result.removal.as_ref().unwrap().strokes[0];
-    let (left, infeed) = (outcome.left_um, outcome.infeed_um * 1e-3);
+    let (left, infeed) = (outcome.left_um.map(|_, um| um.unwrap()), outcome.infeed_um * 1e-3);
     assert!(left.left != left.right);
     let lines = &run.prepared.setup.lines;
     // The other equation of both flanks: c_F = delta_d sin(alpha_n) - s B delta_phi_2.

@@ -1,7 +1,7 @@
 //! Worm and workpiece as removal sees them: densities, curvature of the gap and the worm's load along the profile.
 
-use super::TechnologyError;
 use super::error::{in_range, positive};
+use super::{Ground, TechnologyError};
 use contact::{ContactError, FlankPair, Lever, Pair, StandOff};
 use foundation::geometry::{Flank, InvoluteFlank, Sides};
 use std::f64::consts::TAU;
@@ -94,8 +94,8 @@ impl Bodies {
         [n_1, n_1 * self.threads() / self.teeth()]
     }
 
-    /// How a stroke that leaves `left` (normal, mm) stands off the finished flanks.
-    pub fn stand_off(&self, left: Sides<f64>) -> StandOff {
+    /// How a stroke that leaves `left` (normal, mm) stands off the finished flanks that it grinds.
+    pub fn stand_off(&self, ground: Ground, left: Sides<f64>) -> StandOff {
         let lever = |engagement: &Engagement| {
             let work = engagement.work();
             Lever {
@@ -103,16 +103,21 @@ impl Bodies {
                 arm: work.base_radius * work.base_helix_angle.cos(),
             }
         };
-        StandOff::of_both(Sides::from_fn(|flank| lever(&self.flanks[flank])), left)
+        let levers = Sides::from_fn(|flank| ground.has(flank).then(|| lever(&self.flanks[flank])));
+        StandOff::of_ground(levers, left)
     }
 
-    /// The largest value of a figure over the stations of both flanks.
-    pub(crate) fn largest(&self, figure: impl Fn(&Engagement, f64) -> f64) -> f64 {
+    /// The largest value of a figure over the stations of some flanks.
+    pub(crate) fn largest(
+        &self,
+        flanks: impl Iterator<Item = Flank>,
+        figure: impl Fn(&Engagement, f64) -> f64,
+    ) -> f64 {
         let of_flank = |flank: Flank| {
             let engagement = &self.flanks[flank];
             engagement.stations().into_iter().map(|w| figure(engagement, w)).fold(f64::MIN, f64::max)
         };
-        f64::max(of_flank(Flank::Left), of_flank(Flank::Right))
+        flanks.map(of_flank).fold(f64::MIN, f64::max)
     }
 }
 

@@ -38,7 +38,30 @@ impl CostPerPart {
     }
 }
 
+/// What time and dressings cost.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CostGoal {
+    /// Machine, per second.
+    pub per_second: f64,
+    /// Shares of worm, its change and dresser in the parts between two dressings.
+    pub per_dressing: f64,
+}
+
+impl CostGoal {
+    /// Of a part that takes `part` seconds.
+    pub fn per_part(&self, part: f64, parts_per_dressing: f64) -> f64 {
+        self.per_second * part + self.per_dressing / parts_per_dressing
+    }
+}
+
 impl Rates {
+    /// For a worm that grinds as many parts as so many dressings of the new one.
+    pub fn goal(&self, full_dressings: f64) -> CostGoal {
+        let per_second = self.machine_per_hour / 3600.0;
+        let worm = (self.worm_price + self.worm_change * per_second) / full_dressings;
+        CostGoal { per_second, per_dressing: worm + self.dresser_price / self.dressings_per_dresser }
+    }
+
     /// Of a part that takes `part` seconds.
     ///
     /// # Errors

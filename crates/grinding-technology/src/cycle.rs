@@ -6,6 +6,7 @@ use super::volumes::volumes;
 use super::{Bodies, Direction, STATIONS, StockField, Stroke, TechnologyError};
 use contact::StandOff;
 use foundation::geometry::{Flank, Sides};
+use foundation::kinematics::MotionLaw;
 use foundation::numerics::{equidistant, extremes};
 
 /// Points of the contact area's integral.
@@ -110,9 +111,14 @@ impl Cycle {
         let extent = Sides::from_fn(|flank| stock.extent(&bodies, flank));
         let mut before = Sides::both(f64::INFINITY);
         let figures = strokes.into_iter().map(|stroke| {
-            let left = stroke.left;
-            let between = Sides::from_fn(|flank| [left[flank], before[flank]]);
-            before = left;
+            let between = Sides::from_fn(|flank| {
+                if stroke.ground.has(flank) {
+                    [stroke.left[flank], std::mem::replace(&mut before[flank], stroke.left[flank])]
+                } else {
+                    // Nothing lies between.
+                    [before[flank].min(extent[flank][1]); 2]
+                }
+            });
             figures(&bodies, stroke, between, &extent)
         });
         let mut strokes: Vec<StrokeFigures> = figures.collect();
@@ -163,13 +169,15 @@ fn figures(
     between: Sides<[f64; 2]>,
     extent: &Sides<[f64; 2]>,
 ) -> StrokeFigures {
-    let infeed = bodies.stand_off(stroke.left);
+    let infeed = bodies.stand_off(stroke.ground, stroke.left);
     let speeds = bodies.speeds(stroke.cutting_speed);
     let flanks = Sides::from_fn(|flank| {
         flank_figures(bodies, flank, &stroke, between[flank], extent[flank][1], infeed)
     });
     let sigma = stroke.direction.sign();
-    let contact = contact_feeds(bodies, stroke.direction, &flanks.map(|_, f| (f.raised[1], f.distance)));
+    let reaches =
+        stroke.ground.flanks().map(|flank| (flank, flanks[flank].raised[1], flanks[flank].distance));
+    let contact = contact_feeds(bodies, stroke.direction, reaches);
     let approach = flanks.iter().flat_map(|(_, f)| f.distance).fold(0.0, f64::max);
     let gamma = bodies.pair.chain.crossed_axes_angle;
     let sense = if -gamma.sin() * sigma > 0.0 { Sense::Climb } else { Sense::Conventional };
@@ -190,15 +198,15 @@ fn figures(
     figures
 }
 
-/// z_V2 of the first and of the last contact, with C_c2 and D_e at the stations of each flank.
+/// z_V2 of the first and of the last contact, with C_c2 and D_e at the stations of each flank that is ground.
 pub(crate) fn contact_feeds(
     bodies: &Bodies,
     direction: Direction,
-    flanks: &Sides<(f64, [f64; STATIONS])>,
+    flanks: impl Iterator<Item = (Flank, f64, [f64; STATIONS])>,
 ) -> [f64; 2] {
     let (sigma, half) = (direction.sign(), 0.5 * bodies.face_width);
     let (mut first, mut last) = (f64::INFINITY, f64::NEG_INFINITY);
-    for (flank, (c_c2, distance)) in flanks.iter() {
+    for (flank, c_c2, distance) in flanks {
         let engagement = &bodies.flanks[flank];
         for (w, distance) in engagement.stations().into_iter().zip(distance) {
             let line = sigma * (c_c2 - engagement.line_slope() * w);
@@ -254,42 +262,47 @@ fn flank_figures(
 fn occupation(bodies: &Bodies, figures: &StrokeFigures) -> [f64; 2] {
     let half = 0.5 * bodies.face_width;
     let mut places = Vec::new();
-    for (flank, of_flank) in figures.flanks.iter() {
+    let z = equidistant([-half, half], if figures.stroke.shift.law.is_affine() { 2 } else { BENT_CELLS + 1 });
+    for flank in figures.stroke.ground.flanks() {
         for (i, w) in bodies.flanks[flank].stations().into_iter().enumerate() {
             let on_worm = OnWorm::new(bodies, flank, figures, w);
-            for z in [-half, half] {
-                places.extend([0.0, of_flank.distance[i]].map(|distance| on_worm.place(z, distance)));
-            }
+            let distance = figures.flanks[flank].distance[i];
+            places.extend(z.iter().flat_map(|&z| [0.0, distance].map(|distance| on_worm.place(z, distance))));
         }
     }
     extremes(places)
 }
 
-/// Where on the worm a length of roll is ground: z_1 = at + by_z z + by_distance D, for the first part.
+/// Cells along the face width in which a shift that is not straight counts as straight.
+pub(crate) const BENT_CELLS: usize = 64;
+
+/// Where on the worm a length of roll is ground, for the first part: z_1 = path - F(feed - z - sigma D) + ahead D, F the shift.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct OnWorm {
-    at: f64,
-    pub by_z: f64,
-    pub by_distance: f64,
+pub(crate) struct OnWorm<'a> {
+    law: &'a MotionLaw,
+    path: f64,
+    feed: f64,
+    sign: f64,
+    ahead: f64,
 }
 
-impl OnWorm {
-    pub fn new(bodies: &Bodies, flank: Flank, figures: &StrokeFigures, w: f64) -> Self {
+impl<'a> OnWorm<'a> {
+    pub fn new(bodies: &Bodies, flank: Flank, figures: &'a StrokeFigures, w: f64) -> Self {
         let engagement = &bodies.flanks[flank];
         let [c_c1, c_c2, e] = figures.flanks[flank].raised;
-        let shift = figures.stroke.shift;
         let (worm, work) = (&engagement.pair.worm, engagement.work());
         let w_1 = worm.base_helix_angle.cos() * (e - w / work.base_helix_angle.cos());
-        let path = c_c1 - engagement.s() * worm.base_helix_angle.tan() * w_1;
-        let feed = c_c2 - engagement.line_slope() * w;
+        let sign = figures.sign();
         Self {
-            at: path - shift.ratio * feed - shift.origin,
-            by_z: shift.ratio,
-            by_distance: figures.sign() * (shift.ratio + engagement.ahead(w)),
+            law: &figures.stroke.shift.law,
+            path: c_c1 - engagement.s() * worm.base_helix_angle.tan() * w_1,
+            feed: c_c2 - engagement.line_slope() * w,
+            sign,
+            ahead: sign * engagement.ahead(w),
         }
     }
 
     pub fn place(&self, z: f64, distance: f64) -> f64 {
-        self.at + self.by_z * z + self.by_distance * distance
+        self.path - self.law.value(self.feed - z - self.sign * distance) + self.ahead * distance
     }
 }

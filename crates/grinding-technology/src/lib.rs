@@ -24,7 +24,7 @@ mod volumes;
 mod wear;
 
 pub use bodies::{Bodies, Engagement, STATIONS};
-pub use cost::{CostPerPart, Rates};
+pub use cost::{CostGoal, CostPerPart, Rates};
 pub use cycle::{Cycle, FlankStroke, Sense, StrokeFigures};
 pub use dressing::{DressingFigures, DressingTechnology, Rotation};
 pub use error::TechnologyError;
@@ -35,6 +35,6 @@ pub use life::{Life, LifeRow, WormLife};
 pub use optimum::{BestCycle, Optimum, OptimumRow, OptimumTask};
 pub use stock::{HobMarks, RunOut, Stock, StockField, StockTerm};
 pub use stock_map::StockMap;
-pub use stroke::{Direction, Shift, Stroke};
+pub use stroke::{Direction, Ground, Shift, ShiftRatios, Stroke};
 pub use time::{Axes, Axis, DressingTime, PartTimes, StrokeTime};
 pub use wear::{WearMap, WearTask};

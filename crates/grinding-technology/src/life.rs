@@ -3,7 +3,7 @@
 use super::error::{in_range, positive};
 use super::{Bodies, TechnologyError};
 use contact::Pair;
-use foundation::geometry::{Gear, GearData, WormChoice, worm_for_gear};
+use foundation::geometry::{Flank, Gear, GearData, WormChoice, worm_for_gear};
 use foundation::kinematics::GeneratingChain;
 use std::f64::consts::PI;
 
@@ -61,6 +61,12 @@ impl Life {
     pub fn parts_per_worm(&self) -> f64 {
         self.rows.iter().map(|row| row.parts.floor()).sum()
     }
+
+    /// Dressings of the new worm that grind as many parts as the worm does in all.
+    pub fn full_dressings(&self) -> f64 {
+        let first = self.rows.first().map_or(1.0, |row| row.parts);
+        self.rows.iter().map(|row| row.parts / first).sum()
+    }
 }
 
 /// Diameters below the last one by rounding still count.
@@ -103,7 +109,7 @@ impl WormLife {
         let [threads, teeth] = [bodies.threads(), bodies.teeth()];
         let wanted = 1e3 * self.cutting_speed / (PI * tip_diameter);
         let worm_speed = wanted.min(self.largest_worm_speed).min(self.largest_work_speed * teeth / threads);
-        let wear_factor = bodies.largest(|engagement, w| engagement.wear_factor(w));
+        let wear_factor = bodies.largest(Flank::BOTH.into_iter(), |engagement, w| engagement.wear_factor(w));
         Ok(LifeRow {
             tip_diameter,
             worm_speed,

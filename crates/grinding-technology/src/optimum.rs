@@ -1,12 +1,13 @@
 //! Cycles within the shop's limits: roughing strokes of equal thickness with one feed, then one finishing stroke. The fastest of them, and the
-//! one that a rule of thumb offers.
+//! one that a rule of thumb offers, the cheapest by the shop's rates.
 
+use super::cost::CostGoal;
 use super::cycle::contact_feeds;
 use super::error::{in_range, positive};
 use super::level::ZoneLimits;
 use super::time::{Axes, Driven};
-use super::{Bodies, Direction, STATIONS, TechnologyError};
-use foundation::geometry::{Flank, Sides};
+use super::{Bodies, Direction, Ground, STATIONS, TechnologyError};
+use foundation::geometry::Sides;
 use foundation::numerics::{equidistant, golden_section};
 use rayon::prelude::*;
 
@@ -21,9 +22,11 @@ const USUAL_FEED: f64 = 0.2;
 const FACTORS: [f64; 5] = [0.5, 0.7, 1.0, 1.4, 2.0];
 
 /// Limits and figures of the search. mm, s.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct OptimumTask {
-    /// Stock on both flanks, mm.
+    /// What grinds by itself, one after the other: both flanks, one, or each with strokes of its own.
+    pub passes: Vec<Ground>,
+    /// Stock on each flank, mm.
     pub stock: f64,
     /// m/s.
     pub cutting_speed: f64,
@@ -57,8 +60,35 @@ pub struct OptimumTask {
     pub between_strokes: f64,
     /// One dressing, s.
     pub dressing: f64,
+    /// What time and dressings cost, where the cheapest cycle is wanted.
+    pub cost: Option<CostGoal>,
     /// Zones of the worm.
     pub zones: ZoneLimits,
+}
+
+/// What is to be least.
+#[derive(Clone, Copy)]
+enum Goal {
+    Time,
+    Cost(CostGoal),
+}
+
+impl Goal {
+    fn of(self, cycle: &BestCycle) -> f64 {
+        match self {
+            Self::Time => cycle.time,
+            Self::Cost(cost) => cost.per_part(cycle.time, cycle.parts),
+        }
+    }
+
+    fn of_row(self, row: &OptimumRow) -> f64 {
+        row.cycle.map_or(f64::INFINITY, |cycle| self.of(&cycle))
+    }
+
+    /// The best row; the first one where none keeps the limits.
+    fn best(self, rows: &[OptimumRow]) -> Option<OptimumRow> {
+        rows.iter().copied().min_by(|a, b| self.of_row(a).total_cmp(&self.of_row(b)))
+    }
 }
 
 /// A cycle at its best for one number of roughing strokes.
@@ -94,6 +124,8 @@ pub struct OptimumRow {
 pub struct Optimum {
     /// The fastest.
     pub best: OptimumRow,
+    /// The cheapest, where costs are given.
+    pub cheapest: Option<OptimumRow>,
     /// By the rule of thumb: a quarter of the stock for finishing, the fewest roughing strokes that feed 0.2 mm per revolution, every feed at
     /// its limit.
     pub standard: OptimumRow,
@@ -143,6 +175,8 @@ impl OptimumTask {
         ] {
             in_range(field, value, value >= 0.0, ">= 0")?;
         }
+        let passes = self.passes.len();
+        in_range("optimise.passes", passes as f64, passes > 0, "at least one")?;
         for (field, value) in
             [("optimise.K_roughing", self.ratio_roughing), ("optimise.K_finishing", self.ratio_finishing)]
         {
@@ -168,47 +202,44 @@ impl OptimumTask {
         let curvature = Sides::from_fn(|flank| {
             bodies.flanks[flank].stations().map(|w| bodies.flanks[flank].gap_curvature(w))
         });
-        let largest_curvature = bodies.largest(|engagement, w| engagement.gap_curvature(w));
-        let density =
-            bodies.largest(|engagement, w| engagement.area_density(w) / engagement.profile_width(w));
+        let ground = || self.passes.iter().flat_map(|pass| pass.flanks());
+        let largest_curvature = bodies.largest(ground(), |engagement, w| engagement.gap_curvature(w));
+        let density = bodies
+            .largest(ground(), |engagement, w| engagement.area_density(w) / engagement.profile_width(w));
         let figures = Figures {
             task: self,
             bodies,
             axes,
             curvature,
             rate: bodies.threads() * bodies.speeds(self.cutting_speed)[0] * density,
-            wear: bodies.face_width * bodies.largest(|engagement, w| engagement.wear_factor(w)),
+            wear: bodies.face_width * bodies.largest(ground(), |engagement, w| engagement.wear_factor(w)),
             by_mark: (8.0 * self.feed_mark / largest_curvature).sqrt(),
             largest_curvature,
         };
-        let table = |limit_factor: f64| -> Vec<OptimumRow> {
+        let table = |goal: Goal, limit_factor: f64| -> Vec<OptimumRow> {
             (0..=self.most_roughing_strokes)
                 .into_par_iter()
                 .map(|roughing_strokes| OptimumRow {
                     limit_factor,
                     roughing_strokes,
-                    cycle: figures.best(roughing_strokes, limit_factor),
+                    cycle: figures.best(goal, roughing_strokes, limit_factor),
                 })
                 .collect()
         };
-        let by_roughing_strokes = table(1.0);
-        let best = fastest(&by_roughing_strokes).filter(|row| row.cycle.is_some());
+        let by_roughing_strokes = table(Goal::Time, 1.0);
+        let best = Goal::Time.best(&by_roughing_strokes).filter(|row| row.cycle.is_some());
         let best = best.ok_or_else(|| figures.infeasible())?;
-        let pareto = FACTORS.into_iter().filter_map(|factor| fastest(&table(factor))).collect();
+        let cheapest = self.cost.map(Goal::Cost).and_then(|goal| goal.best(&table(goal, 1.0)));
+        let pareto =
+            FACTORS.into_iter().filter_map(|factor| Goal::Time.best(&table(Goal::Time, factor))).collect();
         let standard = figures.standard().unwrap_or(best);
-        Ok(Optimum { best, standard, by_roughing_strokes, pareto })
+        Ok(Optimum { best, cheapest, standard, by_roughing_strokes, pareto })
     }
-}
-
-/// The row that takes least time; the first one where none keeps the limits.
-fn fastest(rows: &[OptimumRow]) -> Option<OptimumRow> {
-    let time = |row: &OptimumRow| row.cycle.map_or(f64::INFINITY, |cycle| cycle.time);
-    rows.iter().copied().min_by(|a, b| time(a).total_cmp(&time(b)))
 }
 
 impl Figures<'_> {
     /// The best depth of finishing for a number of roughing strokes.
-    fn best(&self, roughing: usize, factor: f64) -> Option<BestCycle> {
+    fn best(&self, goal: Goal, roughing: usize, factor: f64) -> Option<BestCycle> {
         if roughing == 0 {
             return self.at(0, factor, self.task.stock);
         }
@@ -218,13 +249,15 @@ impl Figures<'_> {
         if least > most {
             return None;
         }
-        let time =
-            |finishing: f64| self.at(roughing, factor, finishing).map_or(f64::INFINITY, |cycle| cycle.time);
+        let value = |finishing: f64| {
+            self.at(roughing, factor, finishing).map_or(f64::INFINITY, |cycle| goal.of(&cycle))
+        };
         let scanned = equidistant([least, most], SCANNED);
-        let place = (0..scanned.len()).min_by(|a, b| time(scanned[*a]).total_cmp(&time(scanned[*b])))?;
+        let values: Vec<f64> = scanned.iter().map(|&finishing| value(finishing)).collect();
+        let place = (0..scanned.len()).min_by(|a, b| values[*a].total_cmp(&values[*b]))?;
         let [from, to] = [place.saturating_sub(1), (place + 1).min(scanned.len() - 1)].map(|k| scanned[k]);
-        let refined = golden_section(from, to, REFINED, time);
-        let better = if time(refined) < time(scanned[place]) { refined } else { scanned[place] };
+        let refined = golden_section(from, to, REFINED, value);
+        let better = if value(refined) < values[place] { refined } else { scanned[place] };
         self.at(roughing, factor, better)
     }
 
@@ -265,7 +298,7 @@ impl Figures<'_> {
         let strokes = rough.sum::<f64>() + self.stroke(0.0, finishing, feed_finishing, task.ratio_finishing);
         let taken = (roughing > 0).then_some(self.wear * (task.stock - finishing));
         let parts = task.zones.parts(taken, self.wear * finishing);
-        let between = task.between_strokes * roughing as f64;
+        let between = task.between_strokes * (task.passes.len() * (roughing + 1) - 1) as f64;
         Some(BestCycle {
             finishing,
             feeds: [feed_roughing, feed_finishing],
@@ -276,14 +309,18 @@ impl Figures<'_> {
         })
     }
 
-    /// Time of one stroke that leaves `left` after a depth of cut, s.
+    /// Time of one stroke of every pass that leaves `left` after a depth of cut, s.
     fn stroke(&self, left: f64, depth: f64, feed: f64, ratio: f64) -> f64 {
-        let infeed = self.bodies.stand_off(Sides::both(left));
-        let flanks = Sides::from_fn(|flank: Flank| {
+        self.task.passes.iter().map(|&pass| self.stroke_of(pass, [left, depth], feed, ratio)).sum()
+    }
+
+    fn stroke_of(&self, pass: Ground, [left, depth]: [f64; 2], feed: f64, ratio: f64) -> f64 {
+        let infeed = self.bodies.stand_off(pass, Sides::both(left));
+        let flanks = pass.flanks().map(|flank| {
             let raised = self.bodies.flanks[flank].raised(infeed.delta_d)[1];
-            (raised, self.curvature[flank].map(|h| (2.0 * depth / h).sqrt()))
+            (flank, raised, self.curvature[flank].map(|h| (2.0 * depth / h).sqrt()))
         });
-        let [first, last] = contact_feeds(self.bodies, Direction::Up, &flanks);
+        let [first, last] = contact_feeds(self.bodies, Direction::Up, flanks);
         let driven = Driven {
             feed: feed * self.bodies.speeds(self.task.cutting_speed)[1],
             per_revolution: feed,

@@ -15,7 +15,7 @@ impl Cycle {
     /// The same at several feeds.
     pub fn rates(&self, stroke: usize, feeds: &[f64]) -> Vec<f64> {
         let mut sums = vec![0.0; feeds.len()];
-        for flank in Flank::BOTH {
+        for flank in self.strokes[stroke].stroke.ground.flanks() {
             let sampled = &self.whole[flank];
             let of_roll = |i: usize| {
                 let mut at = vec![0.0; feeds.len()];

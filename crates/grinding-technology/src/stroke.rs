@@ -3,6 +3,8 @@
 use super::TechnologyError;
 use super::error::{in_range, positive};
 use foundation::geometry::{Flank, Sides};
+use foundation::kinematics::MotionLaw;
+use foundation::numerics::equidistant;
 
 /// Which way the workpiece feeds past the worm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -24,21 +26,76 @@ impl Direction {
     }
 }
 
-/// z_V1 = ratio z_V2 + origin + part step.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// z_V1 = law(z_V2) + part step.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Shift {
-    /// Diagonal ratio K.
-    pub ratio: f64,
-    /// mm.
-    pub origin: f64,
-    /// Jump from one part to the next since dressing, mm.
+    /// z_V1 over z_V2 of the first part since dressing, mm.
+    pub law: MotionLaw,
+    /// Jump from one part to the next, mm.
     pub step_per_part: f64,
+}
+
+impl Shift {
+    /// z_V1 = ratio z_V2 + origin, without a jump.
+    pub fn straight(ratio: f64, origin: f64) -> Self {
+        Self { law: MotionLaw::polynomial(0.0, vec![origin, ratio]), step_per_part: 0.0 }
+    }
+
+    /// The diagonal ratio over a range of the feed: of its ends, and the one farthest from 0.
+    pub fn ratios(&self, [from, to]: [f64; 2]) -> ShiftRatios {
+        let mean = (self.law.value(to) - self.law.value(from)) / (to - from);
+        if self.law.is_affine() {
+            return ShiftRatios { mean, steepest: mean };
+        }
+        let slopes = equidistant([from, to], SLOPES).into_iter().map(|v| self.law.jet(v)[1]);
+        let steepest = slopes.fold(mean, |most, slope| if slope.abs() > most.abs() { slope } else { most });
+        ShiftRatios { mean, steepest }
+    }
+}
+
+/// Places at which the slope of a shift is looked at.
+const SLOPES: usize = 65;
+
+/// Diagonal ratios of a shift.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShiftRatios {
+    /// From end to end.
+    pub mean: f64,
+    /// The one farthest from 0.
+    pub steepest: f64,
+}
+
+/// Flanks that a stroke grinds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Ground {
+    /// Both at once.
+    #[default]
+    Both,
+    /// One by itself.
+    Only(Flank),
+}
+
+impl Ground {
+    /// Whether a flank is among them.
+    pub fn has(self, flank: Flank) -> bool {
+        match self {
+            Self::Both => true,
+            Self::Only(only) => only == flank,
+        }
+    }
+
+    /// The flanks.
+    pub fn flanks(self) -> impl Iterator<Item = Flank> {
+        Flank::BOTH.into_iter().filter(move |&flank| self.has(flank))
+    }
 }
 
 /// A stroke.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stroke {
-    /// Stock left on each flank, mm.
+    /// Flanks that it grinds.
+    pub ground: Ground,
+    /// Stock left on each of them, mm.
     pub left: Sides<f64>,
     /// Feed per workpiece revolution, mm.
     pub feed_per_revolution: f64,
@@ -59,7 +116,7 @@ pub struct Stroke {
 impl Stroke {
     /// Whether it leaves nothing: it makes the flank, or sparks out.
     pub fn finishes(&self) -> bool {
-        self.left.iter().all(|(_, left)| *left == 0.0)
+        self.ground.flanks().all(|flank| self.left[flank] == 0.0)
     }
 }
 
@@ -72,9 +129,10 @@ pub(crate) fn check(strokes: &[Stroke]) -> Result<(), TechnologyError> {
         let name = |key: &str| format!("technology.strokes[{k}].{key}");
         positive(&name("feed_per_revolution"), stroke.feed_per_revolution)?;
         positive(&name("cutting_speed_m_per_s"), stroke.cutting_speed)?;
+        let [origin, ratio, _] = stroke.shift.law.jet(0.0);
         for (key, value) in [
-            ("shift.ratio", stroke.shift.ratio),
-            ("shift.origin", stroke.shift.origin),
+            ("shift.ratio", ratio),
+            ("shift.origin", origin),
             ("shift.step_per_part", stroke.shift.step_per_part),
         ] {
             in_range(&name(key), value, true, "a finite number")?;
@@ -82,11 +140,12 @@ pub(crate) fn check(strokes: &[Stroke]) -> Result<(), TechnologyError> {
         for (key, value) in [("overrun", stroke.overrun), ("dwell_s", stroke.dwell)] {
             in_range(&name(key), value, value >= 0.0, ">= 0")?;
         }
-        for flank in Flank::BOTH {
+        for flank in stroke.ground.flanks() {
             let left = stroke.left[flank];
             in_range(&name("left_um"), UM * left, left >= 0.0, ">= 0 um")?;
-            let before = if k == 0 { f64::INFINITY } else { strokes[k - 1].left[flank] };
-            let last = k + 1 == strokes.len();
+            let grinds = |other: &&Stroke| other.ground.has(flank);
+            let before = strokes[..k].iter().rfind(grinds).map_or(f64::INFINITY, |before| before.left[flank]);
+            let last = !strokes[k + 1..].iter().any(|other| grinds(&other));
             if left > before || last && left != 0.0 {
                 return Err(TechnologyError::StrokeOrder {
                     stroke: k + 1,

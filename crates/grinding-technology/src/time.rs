@@ -129,7 +129,7 @@ pub(crate) struct Driven {
     pub feed: f64,
     /// Per workpiece revolution, mm.
     pub per_revolution: f64,
-    /// K.
+    /// K, the one farthest from 0 where it varies.
     pub ratio: f64,
     /// sigma.
     pub sign: f64,
@@ -142,7 +142,7 @@ impl Driven {
         Self {
             feed: figures.feed,
             per_revolution: figures.stroke.feed_per_revolution,
-            ratio: figures.stroke.shift.ratio,
+            ratio: figures.stroke.shift.ratios(figures.contact).steepest,
             sign: figures.sign(),
             travel: figures.travel,
         }
@@ -294,7 +294,7 @@ impl Cycle {
             let beyond = figures.sign() * (figures.stroke.overrun + 0.5 * time.speed * time.ramp);
             let [start, end] = [figures.contact[0] - beyond, figures.contact[1] + beyond];
             if let Some((previous, [_, stands])) = before {
-                let shift = |of: &StrokeFigures, v: f64| of.stroke.shift.ratio * v + of.stroke.shift.origin;
+                let shift = |of: &StrokeFigures, v: f64| of.stroke.shift.law.value(v);
                 let infeed = axes.x.rest_to_rest(figures.infeed.delta_d - previous.infeed.delta_d);
                 let feed = axes.z.rest_to_rest(start - stands);
                 let shift = axes.v.rest_to_rest(shift(figures, start) - shift(previous, stands));

@@ -1,9 +1,9 @@
 //! What each place of the worm's width removes: V'_w after some parts (`docs/mathematics/grinding-technology.md#wear-of-the-worm`).
 
-use super::cycle::OnWorm;
+use super::cycle::{BENT_CELLS, OnWorm};
 use super::{Cycle, STATIONS};
 use foundation::geometry::{Flank, Sides};
-use foundation::numerics::extremes;
+use foundation::numerics::{equidistant, extremes};
 use rayon::prelude::*;
 
 /// Resolution of the removed section over the worm's width, mm: a part of the bins, which are 1 mm wide.
@@ -153,34 +153,35 @@ impl Cycle {
         let curvature = sampled.curvature[station];
         let on_worm = OnWorm::new(&self.bodies, flank, figures, w);
         let cells = sampled.z.len() - 1;
-        let length = self.bodies.face_width / cells as f64;
-        let mut removed = Vec::new();
-        for k in 0..sampled.spaces {
-            for (i, pair) in sampled.column(station, k).windows(2).enumerate() {
-                let depth = (0.5 * (pair[0] + pair[1])).clamp(low, high) - low;
-                if depth > 0.0 {
-                    removed.push((sampled.z[i], depth));
-                }
-            }
-        }
-        let deepest = removed.iter().map(|(_, depth)| *depth).fold(0.0, f64::max);
-        let reach = |depth: f64| (2.0 * depth / curvature).sqrt();
-        if removed.is_empty() {
+        // D of each cell along the face width and each space, mm: [space][cell].
+        let reach = |pair: &[f64]| {
+            let depth = (0.5 * (pair[0] + pair[1])).clamp(low, high) - low;
+            (2.0 * depth / curvature).sqrt()
+        };
+        let columns = (0..sampled.spaces).flat_map(|k| sampled.column(station, k).windows(2));
+        let reaches: Vec<f64> = columns.map(reach).collect();
+        let farthest = reaches.iter().copied().fold(0.0, f64::max);
+        if farthest <= 0.0 {
             return None;
         }
+        let pieces = if figures.stroke.shift.law.is_affine() { 1 } else { BENT_CELLS.div_ceil(cells) };
         let half = 0.5 * self.bodies.face_width;
-        let corners =
-            [-half, half].into_iter().flat_map(|z| [0.0, reach(deepest)].map(|d| on_worm.place(z, d)));
-        let mut collected = Collected::over(extremes(corners));
-        let slices = if cells == 1 { SLICES } else { SLICES / 6 };
-        for (z, depth) in removed {
-            let far = reach(depth);
-            for slice in 0..slices {
-                let ends = [slice, slice + 1].map(|n| far * n as f64 / slices as f64);
-                let amount = 0.5 * curvature * (ends[1] * ends[1] - ends[0] * ends[0]) * length
-                    / sampled.spaces as f64;
-                let widths = [on_worm.by_z * length, on_worm.by_distance * (ends[1] - ends[0])];
-                collected.add(on_worm.place(z, ends[0]), widths, amount);
+        let z = equidistant([-half, half], cells * pieces + 1);
+        let slice = farthest / SLICES as f64;
+        // z_1 at the ends of the slices.
+        let places =
+            |&z: &f64| -> Vec<f64> { (0..=SLICES).map(|n| on_worm.place(z, slice * n as f64)).collect() };
+        let places: Vec<Vec<f64>> = z.iter().map(places).collect();
+        let mut collected = Collected::over(extremes(places.iter().flatten().copied()));
+        let by = 0.5 * curvature * self.bodies.face_width / (cells * pieces * sampled.spaces) as f64;
+        for cell in 0..cells {
+            let amounts = in_slices(reaches.iter().skip(cell).step_by(cells).map(|far| far / slice));
+            for piece in 0..pieces {
+                let [from, to] = [cell * pieces + piece, cell * pieces + piece + 1].map(|k| &places[k]);
+                for (n, amount) in amounts.iter().enumerate().filter(|(_, amount)| **amount > 0.0) {
+                    let widths = [to[n] - from[n], from[n + 1] - from[n]];
+                    collected.add(from[n], widths, by * slice * slice * amount);
+                }
             }
         }
         Some(Spread {
@@ -189,6 +190,24 @@ impl Cycle {
             step_per_part: figures.stroke.shift.step_per_part,
         })
     }
+}
+
+/// The squares of reaches, in slices, that lie in each slice.
+fn in_slices(reaches: impl Iterator<Item = f64>) -> [f64; SLICES] {
+    let mut amounts = [0.0; SLICES];
+    let mut ending = [0.0; SLICES];
+    for far in reaches.filter(|far| *far > 0.0) {
+        // A slice that a reach ends in has a part of its own, those below are whole.
+        let last = (far as usize).min(SLICES - 1);
+        ending[last] += 1.0;
+        amounts[last] += far * far - (last * last) as f64;
+    }
+    let mut beyond = 0.0;
+    for n in (0..SLICES).rev() {
+        amounts[n] += beyond * (2 * n + 1) as f64;
+        beyond += ending[n];
+    }
+    amounts
 }
 
 impl WearTask<'_> {

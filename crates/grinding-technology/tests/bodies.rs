@@ -2,7 +2,7 @@
 
 use foundation::geometry::{Gear, GearData, Sides, WormChoice, worm_for_gear};
 use foundation::kinematics::GeneratingChain;
-use grinding_technology::{Axes, Axis, Bodies, Direction, RunOut, Shift, Stock, StockTerm, Stroke};
+use grinding_technology::{Axes, Axis, Bodies, Direction, Ground, RunOut, Shift, Stock, StockTerm, Stroke};
 
 /// A gear and its worm: teeth, module, pressure angle, helix angle (degrees), face width, form and tip diameter; threads and hand, pitch
 /// and tip diameter.
@@ -53,11 +53,12 @@ pub fn spur() -> Bodies {
 
 pub fn stroke(left: f64, ratio: f64, direction: Direction) -> Stroke {
     Stroke {
+        ground: Ground::Both,
         left: Sides::both(left),
         feed_per_revolution: 0.3,
         cutting_speed: 50.0,
         direction,
-        shift: Shift { ratio, origin: 0.0, step_per_part: 0.0 },
+        shift: Shift::straight(ratio, 0.0),
         overrun: 1.0,
         dwell: 0.0,
         zone: "all".into(),

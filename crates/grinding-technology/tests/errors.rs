@@ -2,7 +2,7 @@
 
 use crate::bodies::{axes, spur, stroke};
 use foundation::geometry::Sides;
-use grinding_technology::{Cycle, Direction, Stock, StockField, Stroke, TechnologyError};
+use grinding_technology::{Cycle, Direction, Shift, Stock, StockField, Stroke, TechnologyError};
 
 fn refused(strokes: Vec<Stroke>) -> TechnologyError {
     let bodies = spur();
@@ -27,7 +27,7 @@ fn numbers_name_their_field() {
         (|s| s.cutting_speed = -1.0, "cutting_speed_m_per_s"),
         (|s| s.overrun = f64::NAN, "overrun"),
         (|s| s.left.left = -0.01, "left_um"),
-        (|s| s.shift.ratio = f64::INFINITY, "shift.ratio"),
+        (|s| s.shift = Shift::straight(f64::INFINITY, 0.0), "shift.ratio"),
     ] {
         let mut spoiled = stroke(0.0, 0.0, Direction::Up);
         spoil(&mut spoiled);

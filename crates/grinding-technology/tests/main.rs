@@ -4,3 +4,4 @@ mod balance;
 mod bodies;
 mod errors;
 mod optimum;
+mod passes;

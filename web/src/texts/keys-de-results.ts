@@ -109,6 +109,7 @@ export const RESULT_KEYS_DE: Record<string, string> = {
   explained: "Erklärt",
   explained_share: "Erklärter Anteil",
   fastest: "Der schnellste",
+  cheapest: "Der billigste",
   feasible: "Möglich",
   feed_mm: "Vorschub",
   feed_mm_per_s: "Vorschub",

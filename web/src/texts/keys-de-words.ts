@@ -20,6 +20,7 @@ export const WORDS_DE: Record<string, string> = {
   "profile-crowning": "Höhenballigkeit",
   standard: "Standard",
   fastest: "der schnellste",
+  cheapest: "der billigste",
   up: "aufwärts",
   down: "abwärts",
   en: "Englisch",

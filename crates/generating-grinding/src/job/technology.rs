@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Technology {
-    /// Which strokes a part gets where the job lists none: by a rule of thumb, or the fastest, both within the limits. Default "standard" where
+    /// Which strokes a part gets where the job lists none: by a rule of thumb, the fastest or the cheapest, all within the limits. Default "standard" where
     /// `technology.limits.Qw_roughing` and `Qw_finishing` are given and `machine.roughing_stock_um`, `machine.spark_out` and
     /// `grinding.feed_per_revolution` are not.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -47,6 +47,8 @@ pub enum CycleRule {
     Standard,
     /// The least time of a part.
     Fastest,
+    /// The least cost of a part by `technology.cost`.
+    Cheapest,
 }
 
 /// Limits that the shop knows from its wheels, its steel and its coolant.

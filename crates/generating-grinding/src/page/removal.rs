@@ -2,8 +2,8 @@
 
 use super::limit_words::limit_in_words;
 use crate::workflow::removal::{
-    CycleResult, CyclesResult, DressingFiguresResult, FlankRemovalResult, PartTimeResult, RateMapResult,
-    RemovalResult, StrokeResult, ZoneLoadResult,
+    CycleResult, CyclesResult, DressingFiguresResult, FlankRateResult, FlankRemovalResult, PartTimeResult,
+    RateMapResult, RemovalResult, StrokeResult, ZoneLoadResult,
 };
 use foundation::geometry::{Flank, Sides};
 use report::cells::NONE;
@@ -79,7 +79,7 @@ pub(super) fn removal(result: &RemovalResult) -> Result<Vec<Block>, ChartError> 
 
 /// Largest of a figure over both flanks.
 fn most(stroke: &StrokeResult, figure: fn(&FlankRemovalResult) -> f64) -> f64 {
-    figure(&stroke.flanks.left).max(figure(&stroke.flanks.right))
+    stroke.flanks.iter().filter_map(|(_, flank)| flank.as_ref().map(figure)).fold(0.0, f64::max)
 }
 
 fn named(k: usize, stroke: &StrokeResult) -> String {
@@ -152,12 +152,10 @@ fn removed(strokes: &[StrokeResult], volume_mm3: f64) -> Table {
 }
 
 /// A value for both flanks, or one for each: left, then right.
-fn sides(value: Sides<f64>, digits: usize) -> String {
+fn sides(value: Sides<Option<f64>>, digits: usize) -> String {
+    let shown = |value: Option<f64>| value.map_or(NONE.to_owned(), |value| format_fixed(value, digits));
     let Sides { left, right } = value;
-    if left == right {
-        return format_fixed(left, digits);
-    }
-    format!("{} / {}", format_fixed(left, digits), format_fixed(right, digits))
+    if left == right { shown(left) } else { format!("{} / {}", shown(left), shown(right)) }
 }
 
 fn rates(strokes: &[StrokeResult]) -> LineChart {
@@ -199,9 +197,11 @@ fn cycles_table(cycles: &CyclesResult) -> Table {
             format_fixed(cycle.feed_mark_um, 3),
             cycle.parts_per_dressing.map_or(NONE.to_owned(), |parts| format_fixed(parts.floor(), 0)),
             format_fixed(cycle.part_s, 1),
+            cycle.cost_per_part.map_or(NONE.to_owned(), |cost| format_fixed(cost, 2)),
         ]
     };
     let mut rows = vec![row("standard", &cycles.standard), row("fastest", &cycles.fastest)];
+    rows.extend(cycles.cheapest.as_ref().map(|cycle| row("cheapest", cycle)));
     for (roughing, cycle) in cycles.by_roughing_strokes.iter().enumerate() {
         let name = format!("fastest with {roughing} roughing");
         match cycle {
@@ -224,10 +224,11 @@ fn cycles_table(cycles: &CyclesResult) -> Table {
             Column::number("Feed marks", "µm"),
             Column::number("Parts per dressing", ""),
             Column::number("Time of a part", "s"),
+            Column::number("Cost of a part", ""),
         ],
         rows,
         note: format!(
-            "Roughing strokes of equal depth and one finishing stroke on {} µm of stock on both flanks, every feed at its limit. Parts per dressing: if the width is used at its best. `technology.cycle` takes the standard or the fastest, `technology.strokes` any other.{axes}{dressing}",
+            "Roughing strokes of equal depth and one finishing stroke on {} µm of stock on both flanks, every feed at its limit. Parts per dressing: if the width is used at its best. `technology.cycle` takes the standard, the fastest or the cheapest, `technology.strokes` any other.{axes}{dressing}",
             format_significant(cycles.stock_um, 4)
         ),
     }
@@ -358,15 +359,16 @@ const UNIT: &str = "mm³/(mm s)";
 
 /// Q'_w over flank and feed.
 fn rate_figure(name: &str, k: usize, map: &RateMapResult) -> Result<Figure, ChartError> {
-    let panel = |flank: Flank| {
-        let values = map.specific_rate_mm3_per_mm_s[flank].clone();
-        let topography = Topography::new(map.diameter_mm[flank].clone(), map.feed_mm.clone(), values)?;
+    let panel = |(flank, rate): (Flank, &FlankRateResult)| {
+        let values = rate.specific_rate_mm3_per_mm_s.clone();
+        let topography = Topography::new(rate.diameter_mm.clone(), map.feed_mm.clone(), values)?;
         Ok(NamedTopography::new(flank.name(), topography))
     };
+    let ground = map.flanks.iter().filter_map(|(flank, rate)| Some((flank, rate.as_ref()?)));
     let chart = ContourMap {
         title: format!("Specific removal rate [mm³/(mm s)], stroke {name}"),
         quantity: "Q'_w".to_owned(),
-        panels: Flank::BOTH.into_iter().map(panel).collect::<Result<_, ChartError>>()?,
+        panels: ground.map(panel).collect::<Result<_, ChartError>>()?,
         scale: None,
     };
     let frame = MapFrame {

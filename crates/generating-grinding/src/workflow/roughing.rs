@@ -26,6 +26,7 @@ struct Roughed {
 /// Judges each roughing stroke with a shift of its own by the exact contact of the worm as it is dressed.
 pub fn judge_roughing(verdict: &mut Verdict, prepared: &Prepared, execution: &Execution) {
     for Roughed { stroke, flank, left, least } in roughed(prepared, execution) {
+        let listed = (stroke - 1) % prepared.technology.strokes_of_a_pass();
         let item = format!("{flank} flank after stroke {stroke}, which shifts by a ratio of its own");
         match least {
             Ok(least) => {
@@ -45,7 +46,7 @@ pub fn judge_roughing(verdict: &mut Verdict, prepared: &Prepared, execution: &Ex
                         format!(
                             "leave {:.1} um or more (technology.strokes[{}].left_um), or leave its shift.ratio out",
                             1e3 * (left - least).max(0.0),
-                            stroke - 1
+                            listed
                         ),
                     )
                 });
@@ -76,13 +77,13 @@ fn roughed(prepared: &Prepared, execution: &Execution) -> Vec<Roughed> {
     let setup = &prepared.setup;
     let (profile_points, helix_points) = prepared.rules.grid();
     let grid = PlanningGrid::new(setup, profile_points, helix_points);
-    let ground: Vec<Flank> =
-        Flank::BOTH.into_iter().filter(|&flank| execution.flanks[flank].is_some()).collect();
     let of = |flank: Flank, motion: &GeneratingMotion| flank_of(prepared, execution, (flank, &grid), motion);
     let finished = Sides::from_fn(|flank| of(flank, &execution.motion));
     let mut found = Vec::new();
     for (k, stroke, law) in own {
         let mut motion = execution.motion.clone();
+        let ground: Vec<Flank> =
+            stroke.ground.flanks().filter(|&flank| execution.flanks[flank].is_some()).collect();
         let infeed = StandOff::of_ground(levers_of(setup, &ground), stroke.left);
         motion.delta_d = motion.delta_d.raised(infeed.delta_d);
         motion.delta_phi_2 = motion.delta_phi_2.raised(infeed.delta_phi_2);

@@ -159,11 +159,8 @@ fn finish(
         timing.insert("proof of the programs", programs.seconds[1]);
     }
     let removing = Instant::now();
-    let removal = removal_of_run(
-        &prepared,
-        &execution,
-        (on_stock.as_ref(), programs.as_ref().map(|programs| &programs.result)),
-    )?;
+    let removal =
+        removal_of_run(&prepared, (on_stock.as_ref(), programs.as_ref().map(|programs| &programs.result)))?;
     if let Some(on_stock) = &on_stock {
         let choosing = on_stock.offers.as_ref().map_or(0.0, |offers| offers.seconds);
         timing.insert("cycles within the limits", choosing);

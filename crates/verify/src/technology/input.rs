@@ -3,8 +3,9 @@
 use foundation::geometry::{Flank, Gear, GearData, Sides, WormChoice, worm_for_gear};
 use foundation::kinematics::GeneratingChain;
 use grinding_technology::{
-    Axes, Axis, Bodies, Cycle, Direction, DressingTechnology, HobMarks, OptimumTask, PartTimes, Rates,
-    Rotation, RunOut, Shift, Stock, StockField, StockTerm, Stroke, TechnologyError, WormLife, ZoneLimits,
+    Axes, Axis, Bodies, Cycle, Direction, DressingTechnology, Ground, HobMarks, OptimumTask, PartTimes,
+    Rates, Rotation, RunOut, Shift, Stock, StockField, StockTerm, Stroke, TechnologyError, WormLife,
+    ZoneLimits,
 };
 use serde::Deserialize;
 
@@ -392,10 +393,10 @@ impl Input {
                 DirectionInput::Up => Direction::Up,
                 DirectionInput::Down => Direction::Down,
             },
+            ground: Ground::Both,
             shift: Shift {
-                ratio: stroke.shift.ratio,
-                origin: stroke.shift.origin,
                 step_per_part: stroke.shift.step_per_part,
+                ..Shift::straight(stroke.shift.ratio, stroke.shift.origin)
             },
             overrun: stroke.overrun,
             dwell: stroke.dwell_s,
@@ -474,6 +475,8 @@ impl Input {
     pub fn optimise(&self) -> Option<OptimumTask> {
         let input = self.optimise.as_ref()?;
         Some(OptimumTask {
+            passes: vec![Ground::Both],
+            cost: None,
             stock: UM * input.stock_um,
             cutting_speed: input.cutting_speed_m_per_s,
             least_feed: input.least_feed,

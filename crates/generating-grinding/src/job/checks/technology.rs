@@ -1,6 +1,6 @@
 //! `[stock]` and `[technology]` against each other and against the worm.
 
-use crate::job::{Job, StrokeOfJob, StrokeZone, Technology};
+use crate::job::{CycleRule, Job, StrokeOfJob, StrokeZone, Technology};
 use foundation::geometry::Flank;
 use job::{Diagnostic, Problem, shown_number};
 
@@ -138,6 +138,17 @@ fn rules(job: &Job, technology: &Technology, findings: &mut Vec<Diagnostic>) {
         );
     }
     let limits = &technology.limits;
+    if technology.cycle == Some(CycleRule::Cheapest) && technology.cost.is_none() {
+        findings.push(
+            Diagnostic::new(Problem::InvalidJob, "what a part costs cannot be said without the shop's rates")
+                .field("technology.cycle")
+                .value("\"cheapest\" without technology.cost")
+                .allowed("technology.cost beside it; \"standard\" or \"fastest\" without")
+                .way_out(
+                    "give technology.cost with technology.life and technology.times, or ask for the fastest",
+                ),
+        );
+    }
     if technology.cycle.is_some() {
         for (key, given) in [("Qw_roughing", limits.Qw_roughing), ("Qw_finishing", limits.Qw_finishing)] {
             if given.is_none() {

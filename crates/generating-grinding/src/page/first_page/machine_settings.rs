@@ -84,14 +84,15 @@ impl MachineSettings<'_> {
             let name = "axial feed per workpiece revolution, first roughing stroke";
             Quantity::rounded(name, "f_a", stroke.feed_per_revolution, 3, "mm")
         }));
-        let spark_out = technology.strokes.len() - roughing.len() - 1;
-        if technology.strokes.len() > 1 {
-            list.push(Quantity::shown(
-                "strokes: roughing, finishing, spark-out",
-                "",
-                format!("{}, 1, {spark_out}", roughing.len()),
-                "",
-            ));
+        let (driven, all) = (technology.strokes.len(), technology.strokes_of_a_pass());
+        let roughing = roughing.len() * all / driven;
+        if all > 1 {
+            let name = if driven > all {
+                "strokes of each flank: roughing, finishing, spark-out"
+            } else {
+                "strokes: roughing, finishing, spark-out"
+            };
+            list.push(Quantity::shown(name, "", format!("{roughing}, 1, {}", all - roughing - 1), ""));
         }
         list
     }

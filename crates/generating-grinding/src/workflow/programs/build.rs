@@ -251,7 +251,7 @@ impl ProgramTask<'_> {
                 .map(|&offset| self.indexing.with_offset(&work, offset))
                 .collect();
             let (mut roughed, mut finished) = (0, false);
-            for stroke in &technology.strokes {
+            for stroke in technology.strokes_of(&work) {
                 let area = technology.roughing_shift.get(roughed % technology.roughing_shift.len().max(1));
                 let shift = match &stroke.shift {
                     StrokeLaw::Own(law) => Some(law),

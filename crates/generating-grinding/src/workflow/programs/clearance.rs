@@ -86,7 +86,7 @@ pub fn beside_blank(
     blocks: &[[usize; 2]],
 ) -> Result<Option<Beside>, MotionError> {
     let Some(cylinders) = &technology.cylinders else { return Ok(None) };
-    let mesh = Mesh::new(tracked, blocks, (work, &technology.strokes, indexing));
+    let mesh = Mesh::new(tracked, blocks, (work, technology.strokes_of(work), indexing));
     let clear = |block: usize, bodies: &Pose<Worm, Workpiece>| {
         mesh.as_ref().is_some_and(|mesh| mesh.is_clear(block, bodies))
     };

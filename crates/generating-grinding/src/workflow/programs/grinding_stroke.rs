@@ -1,9 +1,9 @@
 //! One stroke of a grinding pass: what it leaves, how fast it runs, where it begins and ends.
 
-use foundation::geometry::{Flank, Sides};
+use foundation::geometry::Sides;
 use foundation::kinematics::MotionLaw;
 use foundation::numerics::extremes;
-use grinding_technology::Direction;
+use grinding_technology::{Direction, Ground};
 use motion::in_words;
 
 /// Which law of the shift a stroke follows.
@@ -41,6 +41,8 @@ impl StockContact {
 /// One stroke. mm, rad, s.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GrindingStroke {
+    /// Flanks that it grinds; both where it is driven for every flank.
+    pub ground: Ground,
     /// Stock that it leaves on each flank, normal.
     pub left: Sides<f64>,
     /// Speed of the worm, rad/s.
@@ -61,6 +63,7 @@ impl GrindingStroke {
     /// A stroke with rising feed that leaves the same on both flanks of stock that is not known.
     pub fn up(left: f64, worm_speed: f64, feed_per_revolution: f64) -> Self {
         Self {
+            ground: Ground::Both,
             left: Sides::both(left),
             worm_speed,
             feed_per_revolution,
@@ -73,13 +76,16 @@ impl GrindingStroke {
 
     /// Whether it leaves nothing.
     pub fn finishes(&self) -> bool {
-        Flank::BOTH.iter().all(|&flank| self.left[flank] == 0.0)
+        self.ground.flanks().all(|flank| self.left[flank] == 0.0)
     }
 
     /// Its name in a program: capital letters, digits, blanks.
     pub fn name(&self, after_finishing: bool) -> String {
         let um = |left: f64| in_words(left * 1e3, "um");
-        let Sides { left, right } = self.left;
+        let Sides { left, right } = match self.ground {
+            Ground::Both => self.left,
+            Ground::Only(flank) => Sides::both(self.left[flank]),
+        };
         if self.finishes() {
             return if after_finishing { "SPARK OUT".into() } else { "FINISHING".into() };
         }

@@ -27,9 +27,9 @@ impl<'a> Mesh<'a> {
     pub fn new(
         tracked: &Tracked,
         blocks: &[[usize; 2]],
-        (work, of_job, indexing): (&'a GrindingWork, &[GrindingStroke], &Indexing),
+        (work, of_job, indexing): (&'a GrindingWork, impl Iterator<Item = &'a GrindingStroke>, &Indexing),
     ) -> Option<Self> {
-        let contacts = of_job.iter().map(|stroke| stroke.contact).collect::<Option<Vec<_>>>()?;
+        let contacts = of_job.map(|stroke| stroke.contact).collect::<Option<Vec<_>>>()?;
         let widest = contacts.iter().copied().reduce(StockContact::joined)?;
         let each = indexing.offsets.len().max(1);
         let as_job = blocks.len().is_multiple_of(contacts.len() * each);

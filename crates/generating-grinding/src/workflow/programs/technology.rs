@@ -2,8 +2,10 @@
 
 use super::cylinders::Cylinders;
 use super::grinding_stroke::GrindingStroke;
+use super::work::GrindingWork;
 use foundation::kinematics::MotionLaw;
 use generating::GrindingSetup;
+use grinding_technology::Ground;
 use job::tables::{BODY_CLEARANCE, Clamping, ClampingBody, Machine as JobMachine};
 use machine::{Mount, Mounts};
 use std::f64::consts::TAU;
@@ -127,6 +129,20 @@ impl Technology {
         &self.strokes[self.strokes.iter().position(GrindingStroke::finishes).unwrap_or(last)]
     }
 
+    /// The strokes that a work drives for its flanks.
+    pub fn strokes_of<'a>(&'a self, work: &'a GrindingWork) -> impl Iterator<Item = &'a GrindingStroke> {
+        let grinds =
+            |stroke: &&GrindingStroke| stroke.ground.flanks().any(|flank| work.levers[flank].is_some());
+        self.strokes.iter().filter(grinds)
+    }
+
+    /// Strokes of the job: flanks that are ground one after the other have them each.
+    pub fn strokes_of_a_pass(&self) -> usize {
+        let mut passes: Vec<Ground> = self.strokes.iter().map(|stroke| stroke.ground).collect();
+        passes.dedup();
+        self.strokes.len() / passes.len().max(1)
+    }
+
     /// Greatest speed of the worm in any stroke, rad/s.
     pub fn worm_speed(&self) -> f64 {
         self.strokes.iter().map(|stroke| stroke.worm_speed).fold(0.0, f64::max)
@@ -139,7 +155,8 @@ impl Technology {
 
     /// The least stock that a roughing stroke leaves, mm; infinite without one.
     pub fn least_roughing(&self) -> f64 {
-        let left = self.strokes.iter().map(|stroke| stroke.left.left.max(stroke.left.right));
+        let left =
+            self.strokes.iter().flat_map(|stroke| stroke.ground.flanks().map(|flank| stroke.left[flank]));
         left.filter(|left| *left > 0.0).fold(f64::INFINITY, f64::min)
     }
 }

@@ -9,11 +9,9 @@ use crate::workflow::programs::{GrindingStroke, StockContact, StrokeLaw};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::MotionLaw;
 use grinding_technology::{
-    Cycle, Direction, OptimumRow, Shift, StockField, Stroke, StrokeFigures, TechnologyError,
+    Cycle, Direction, Ground, OptimumRow, Shift, StockField, Stroke, StrokeFigures, TechnologyError,
 };
 
-/// A shift within this of a straight line over the stroke is one, mm.
-const STRAIGHT: f64 = 1e-6;
 /// Feeds of a chosen cycle are whole multiples of this, mm per revolution.
 const FEED_STEP: f64 = 1e-3;
 
@@ -29,16 +27,10 @@ pub struct RunCycle {
 }
 
 /// Why strokes are not worked out.
-pub fn beyond(prepared: &Prepared, execution: &Execution) -> Option<&'static str> {
+pub fn beyond(prepared: &Prepared) -> Option<&'static str> {
     let setup = &prepared.setup;
     if !(setup.pair.worm.is_cylindrical() && setup.pair.work.is_cylindrical()) {
         Some("a body is conical")
-    } else if Flank::BOTH.iter().any(|&flank| execution.flanks[flank].is_none()) {
-        Some("one flank is ground by itself")
-    } else if !execution.grinds_both_at_once() {
-        Some("the flanks are ground one after the other")
-    } else if shift_of(execution).is_none() {
-        Some("the shift of the worm is not proportional to the feed")
     } else if prepared.cycle.strokes.is_some() {
         Some("some threads of the worm do not grind")
     } else {
@@ -46,44 +38,35 @@ pub fn beyond(prepared: &Prepared, execution: &Execution) -> Option<&'static str
     }
 }
 
-/// The finishing stroke's shift, where it is straight over the stroke.
-fn shift_of(execution: &Execution) -> Option<Shift> {
-    straight(&execution.motion.shift, execution.feed_range)
+/// What is ground by itself, one after the other, as programs drive it.
+fn passes_of(execution: &Execution) -> Vec<Ground> {
+    let ground: Vec<Flank> =
+        Flank::BOTH.into_iter().filter(|&flank| execution.flanks[flank].is_some()).collect();
+    if ground.len() == 2 && execution.grinds_both_at_once() {
+        vec![Ground::Both]
+    } else {
+        ground.into_iter().map(Ground::Only).collect()
+    }
 }
 
-/// A law that is straight over a range of the feed.
-fn straight(law: &MotionLaw, [from, to]: [f64; 2]) -> Option<Shift> {
-    let (start, end) = (law.value(from), law.value(to));
-    let ratio = (end - start) / (to - from);
-    let holds = (0..=8).all(|k| {
-        let v = from + (to - from) * f64::from(k) / 8.0;
-        (law.value(v) - start - ratio * (v - from)).abs() < STRAIGHT
-    });
-    holds.then_some(Shift { ratio, origin: start - ratio * from, step_per_part: 0.0 })
-}
-
-/// Shifts of the plan for strokes that leave stock and for those that leave none, and whether these have areas of their own.
+/// Shifts of the plan, z_V1 over z_V2, for strokes that leave stock and for those that leave none, and whether these have areas of their own.
 struct PlannedShifts {
-    finishing: Shift,
-    roughing: Shift,
+    finishing: MotionLaw,
+    roughing: MotionLaw,
     apart: bool,
 }
 
 impl PlannedShifts {
     fn new(prepared: &Prepared, execution: &Execution, partition: Option<&Partition>) -> Self {
-        let planned = shift_of(execution).unwrap_or_default();
+        let planned = &execution.motion.shift;
         let apart = prepared.cycle.roughing_areas > 0;
         let areas = partition.and_then(|partition| partition.tool_areas(prepared, &execution.motion.shift));
         let Some(areas) = areas.filter(|_| apart) else {
-            return Self { finishing: planned, roughing: planned, apart };
+            return Self { finishing: planned.clone(), roughing: planned.clone(), apart };
         };
         let by = areas.finishing.first().copied().unwrap_or(0.0);
-        let law = areas.roughing.first().and_then(|law| straight(law, execution.feed_range));
-        Self {
-            finishing: Shift { origin: planned.origin + by, ..planned },
-            roughing: law.unwrap_or(planned),
-            apart,
-        }
+        let roughing = areas.roughing.first().unwrap_or(planned).clone();
+        Self { finishing: planned.raised(by), roughing, apart }
     }
 
     fn zone(&self, leaves: bool, wanted: Option<StrokeZone>) -> StrokeZone {
@@ -94,8 +77,19 @@ impl PlannedShifts {
         })
     }
 
-    fn of_zone(&self, zone: StrokeZone) -> Shift {
-        if zone == StrokeZone::Roughing { self.roughing } else { self.finishing }
+    fn of_zone(&self, zone: StrokeZone) -> &MotionLaw {
+        if zone == StrokeZone::Roughing { &self.roughing } else { &self.finishing }
+    }
+
+    /// As the plan has it for an area, or with the ratio and the origin that are wanted.
+    fn law(&self, zone: StrokeZone, wanted: &WantedStroke) -> MotionLaw {
+        let planned = self.of_zone(zone);
+        let at_zero = planned.value(0.0);
+        match (wanted.ratio, wanted.origin) {
+            (None, None) => planned.clone(),
+            (None, Some(origin)) => planned.raised(origin - at_zero),
+            (Some(ratio), origin) => MotionLaw::polynomial(0.0, vec![origin.unwrap_or(at_zero), ratio]),
+        }
     }
 }
 
@@ -112,8 +106,11 @@ impl RunCycle {
         let bodies = bodies_on_stock(&prepared.setup)?;
         let field = StockField::new(task.stock.clone(), &bodies)?;
         let shifts = PlannedShifts::new(prepared, execution, partition);
-        let ratios = [shifts.roughing.ratio, shifts.finishing.ratio];
-        let offers = CycleOffers::new(prepared, task, (&bodies, &field, ratios));
+        let passes = passes_of(execution);
+        let [from, to] = execution.feed_range;
+        let ratio = |law: &MotionLaw| (law.value(to) - law.value(from)) / (to - from);
+        let ratios = [ratio(&shifts.roughing), ratio(&shifts.finishing)];
+        let offers = CycleOffers::new((prepared, task), (&bodies, &field), (&passes, ratios));
         let (wanted, offers) = match (&task.strokes, offers) {
             (StrokesWanted::Listed(strokes), offers) => (strokes.clone(), offers.and_then(Result::ok)),
             (StrokesWanted::Offered, Some(Ok(offers))) => {
@@ -127,34 +124,34 @@ impl RunCycle {
                 let row = match rule {
                     CycleRule::Standard => &offers.optimum.standard,
                     CycleRule::Fastest => &offers.optimum.best,
+                    // The job's checks ask for the rates.
+                    CycleRule::Cheapest => offers.optimum.cheapest.as_ref().unwrap_or(&offers.optimum.best),
                 };
                 (of_rule(row, offers.stock, (prepared, task)), Some(offers))
             }
             // The job's checks ask for the limits.
             (StrokesWanted::Rule(_), None) => (of_machine(prepared, task), None),
         };
-        let stroke = |wanted: &WantedStroke| {
-            let leaves = wanted.left.left > 0.0 || wanted.left.right > 0.0;
+        let stroke = |ground: Ground, wanted: &WantedStroke| {
+            let leaves = ground.flanks().any(|flank| wanted.left[flank] > 0.0);
             let zone = shifts.zone(leaves, wanted.zone);
-            let planned = shifts.of_zone(zone);
             Stroke {
+                ground,
                 left: wanted.left,
                 feed_per_revolution: wanted.feed_per_revolution,
                 cutting_speed: wanted.cutting_speed,
                 direction: wanted.direction,
-                shift: Shift {
-                    ratio: wanted.ratio.unwrap_or(planned.ratio),
-                    origin: wanted.origin.unwrap_or(planned.origin),
-                    step_per_part: wanted.step_per_part,
-                },
+                shift: Shift { law: shifts.law(zone, wanted), step_per_part: wanted.step_per_part },
                 overrun: wanted.overrun,
                 dwell: wanted.dwell,
                 zone: zone.name().into(),
             }
         };
-        let own_shift = wanted.iter().map(|w| w.ratio.is_some() || w.origin.is_some()).collect();
-        let cycle = Cycle::new(bodies, field, wanted.iter().map(stroke).collect())?;
-        Ok(Self { cycle, offers, own_shift })
+        let own = |wanted: &WantedStroke| wanted.ratio.is_some() || wanted.origin.is_some();
+        let driven = passes.iter().flat_map(|&ground| wanted.iter().map(move |wanted| (ground, wanted)));
+        let (own_shift, strokes) =
+            driven.map(|(ground, wanted)| (own(wanted), stroke(ground, wanted))).unzip();
+        Ok(Self { cycle: Cycle::new(bodies, field, strokes)?, offers, own_shift })
     }
 
     /// The strokes as programs drive them.
@@ -163,15 +160,12 @@ impl RunCycle {
         let driven = |(figures, own): (&StrokeFigures, &bool)| {
             let stroke = &figures.stroke;
             GrindingStroke {
+                ground: stroke.ground,
                 left: stroke.left,
                 worm_speed: 1e3 * stroke.cutting_speed / tip_radius,
                 feed_per_revolution: stroke.feed_per_revolution,
                 direction: stroke.direction,
-                shift: if *own {
-                    StrokeLaw::Own(MotionLaw::polynomial(0.0, vec![stroke.shift.origin, stroke.shift.ratio]))
-                } else {
-                    StrokeLaw::Planned
-                },
+                shift: if *own { StrokeLaw::Own(stroke.shift.law.clone()) } else { StrokeLaw::Planned },
                 contact: Some(StockContact { feeds: figures.contact, overrun: stroke.overrun }),
                 dwell: stroke.dwell,
             }

@@ -14,9 +14,9 @@ mod worm;
 pub use cycle::RunCycle;
 pub use remarks::judge_stock;
 pub use result::{
-    CostResult, CycleResult, CyclesResult, DressingFiguresResult, FlankRemovalResult, IndicatorResult,
-    LimitShare, PartTimeResult, RateMapResult, RemovalResult, StockResult, StrokeResult, WormLifeResult,
-    WormLoadResult, ZoneLoadResult,
+    CostResult, CycleResult, CyclesResult, DressingFiguresResult, FlankRateResult, FlankRemovalResult,
+    IndicatorResult, LimitShare, PartTimeResult, RateMapResult, RemovalResult, StockResult, StrokeResult,
+    WormLifeResult, WormLoadResult, ZoneLoadResult,
 };
 
 use super::execution::Execution;
@@ -51,7 +51,7 @@ pub struct Removal {
 /// # Errors
 /// [`RunFailure`] with a finding on `[stock]` or `[technology]`.
 pub fn put_on_stock(prepared: &mut Prepared, execution: &Execution) -> Result<Option<RunCycle>, RunFailure> {
-    let Some(task) = prepared.removal.as_ref().filter(|_| beyond(prepared, execution).is_none()) else {
+    let Some(task) = prepared.removal.as_ref().filter(|_| beyond(prepared).is_none()) else {
         return Ok(None);
     };
     let partition = Partition::of_cycle(prepared, execution.ratio, &execution.motion.shift)?;
@@ -66,14 +66,13 @@ pub fn put_on_stock(prepared: &mut Prepared, execution: &Execution) -> Result<Op
 /// [`RunFailure`] with a finding on `[stock]` or `[technology]`.
 pub fn removal_of_run(
     prepared: &Prepared,
-    execution: &Execution,
     (cycle, programs): (Option<&RunCycle>, Option<&ProgramsResult>),
 ) -> Result<Removal, RunFailure> {
     let Some(task) = &prepared.removal else { return Ok(Removal { result: None, remarks: Vec::new() }) };
     match cycle {
         Some(cycle) => worked_out(prepared, task, cycle, programs).map_err(|error| refused(&error)),
         None => {
-            let why = beyond(prepared, execution).unwrap_or("its bodies are not known");
+            let why = beyond(prepared).unwrap_or("its bodies are not known");
             let remark = Remark {
                 code: "removal-not-worked-out",
                 text: format!("stock and removal are not worked out for this job: {why}"),

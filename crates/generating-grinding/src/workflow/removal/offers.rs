@@ -1,10 +1,11 @@
 //! Cycles within the limits of a job: by the rule of thumb, the fastest, and how the time goes with the load.
 
 use super::dressing::dressing_of;
+use super::worm::worm_life;
 use crate::workflow::prepare::{Prepared, RemovalTask};
-use foundation::geometry::Flank;
 use grinding_technology::{
-    Axes, Axis, Bodies, Optimum, OptimumTask, StockField, TechnologyError, ZoneLimits,
+    Axes, Axis, Bodies, CostGoal, Ground, Optimum, OptimumTask, Rates, StockField, TechnologyError,
+    ZoneLimits,
 };
 use machine::Role;
 use std::time::Instant;
@@ -17,10 +18,12 @@ const NO_WEAR: f64 = 1e12;
 /// What the limits allow.
 #[derive(Clone, Debug)]
 pub struct CycleOffers {
-    /// Largest stock of both flanks, for which the cycles are made, mm.
+    /// Largest stock of the flanks, for which the cycles are made, mm.
     pub stock: f64,
     /// The cycles.
     pub optimum: Optimum,
+    /// What time and dressings cost, where the job has rates.
+    pub cost: Option<CostGoal>,
     /// Whether the limits of a machine's axes are in the times.
     pub on_machine: bool,
     /// Whether dressing is in the times.
@@ -32,12 +35,13 @@ pub struct CycleOffers {
 impl CycleOffers {
     /// `None` for a job without limits of the removal rate; an error where no cycle keeps them.
     pub fn new(
-        prepared: &Prepared,
-        task: &RemovalTask,
-        (bodies, field, [ratio_roughing, ratio_finishing]): (&Bodies, &StockField, [f64; 2]),
+        (prepared, task): (&Prepared, &RemovalTask),
+        (bodies, field): (&Bodies, &StockField),
+        (passes, [ratio_roughing, ratio_finishing]): (&[Ground], [f64; 2]),
     ) -> Option<Result<Self, TechnologyError>> {
         let (rate_roughing, rate_finishing) = (task.rates.roughing?, task.rates.finishing?);
-        let stock = Flank::BOTH.iter().map(|&flank| field.extent(bodies, flank)[1]).fold(f64::MIN, f64::max);
+        let ground = passes.iter().flat_map(|pass| pass.flanks());
+        let stock = ground.map(|flank| field.extent(bodies, flank)[1]).fold(f64::MIN, f64::max);
         let axes = prepared.machine.as_ref().map(|machine| axes_of(&machine.machine));
         let on_machine = axes.is_some();
         let axes = axes.unwrap_or_else(free_axes);
@@ -66,7 +70,15 @@ impl CycleOffers {
             };
             let limits = &task.cycle_limits;
             let times = task.times.unwrap_or_default();
+            let cost = task.cost.zip(wear.and(task.life));
+            let goal = |(rates, life): (Rates, [f64; 2])| {
+                let life = worm_life(bodies, (prepared, task), life)?;
+                Ok::<_, TechnologyError>(rates.goal(life.full_dressings()))
+            };
+            let cost = cost.map(goal).transpose()?;
             let optimum = OptimumTask {
+                passes: passes.to_vec(),
+                cost,
                 stock,
                 cutting_speed: prepared.technology.cutting_speed(bodies.worm_tip_radius),
                 least_feed: limits.feed[0],
@@ -88,7 +100,7 @@ impl CycleOffers {
             }
             .solve(bodies, &axes)?;
             let seconds = begun.elapsed().as_secs_f64();
-            Ok(Self { stock, optimum, on_machine, with_dressing: wear.is_some(), seconds })
+            Ok(Self { stock, optimum, cost, on_machine, with_dressing: wear.is_some(), seconds })
         };
         Some(solved())
     }

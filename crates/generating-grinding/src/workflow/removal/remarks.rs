@@ -6,6 +6,7 @@ use super::time::of_one_control;
 use super::{RPM, UM};
 use crate::workflow::prepare::RemovalTask;
 use crate::workflow::programs::result::ProgramsResult;
+use foundation::geometry::Flank;
 use foundation::numerics::extremes;
 use grinding_technology::{Cycle, StrokeFigures, WidthUse};
 use job::shown_number;
@@ -55,7 +56,9 @@ pub(super) fn indicators(
 
 /// Judges whether the flanks clean up: material that is missing before grinding is missing after it.
 pub fn judge_stock(verdict: &mut Verdict, result: &RemovalResult) {
-    for (flank, &least) in result.stock.least_um.iter() {
+    let ground = |flank: Flank| result.strokes.iter().any(|stroke| stroke.flanks[flank].is_some());
+    for flank in Flank::BOTH.into_iter().filter(|&flank| ground(flank)) {
+        let least = result.stock.least_um[flank];
         let detail =
             format!("{least:.1} to {:.1} µm over the finished flank", result.stock.largest_um[flank]);
         verdict.judge(format!("stock on the {flank} flank"), least > 0.0, detail, || {
@@ -82,14 +85,17 @@ pub(super) fn remarks(
 ) -> Vec<Remark> {
     let mut remarks = Vec::new();
     for (k, stroke) in result.strokes.iter().enumerate() {
-        if stroke.volume_mm3 <= 0.0 && stroke.left_um.iter().any(|(_, left)| *left > 0.0) {
+        let left: Vec<(Flank, f64)> =
+            stroke.left_um.iter().filter_map(|(flank, um)| Some((flank, (*um)?))).collect();
+        if stroke.volume_mm3 <= 0.0 && left.iter().any(|(_, um)| *um > 0.0) {
+            let left: Vec<String> =
+                left.iter().map(|(flank, um)| format!("{um:.1} um on the {flank} flank")).collect();
             remarks.push(Remark {
                 code: "stroke-cuts-air",
                 text: format!(
-                    "stroke {} leaves {:.1} um on the left and {:.1} um on the right flank, which is more than the stock: it takes nothing",
+                    "stroke {} leaves {}, which is more than the stock: it takes nothing",
                     k + 1,
-                    stroke.left_um.left,
-                    stroke.left_um.right
+                    left.join(" and ")
                 ),
                 way_out: "take it out of technology.strokes or machine.roughing_stock_um, or raise stock.allowance_um"
                     .into(),

@@ -68,6 +68,9 @@ pub struct CyclesResult {
     pub standard: CycleResult,
     /// The fastest.
     pub fastest: CycleResult,
+    /// The cheapest; absent without `technology.cost`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cheapest: Option<CycleResult>,
     /// The fastest for each number of roughing strokes from 0; absent where none keeps the limits.
     pub by_roughing_strokes: Vec<Option<CycleResult>>,
     /// The fastest with both limits of Q'_w multiplied by a factor.
@@ -94,6 +97,9 @@ pub struct CycleResult {
     /// Parts between two dressings if the width is used at its best; absent where the job does not bound the worm's load.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub parts_per_dressing: Option<f64>,
+    /// Cost of a part if the width is used at its best; absent without `technology.cost`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cost_per_part: Option<f64>,
 }
 
 impl CyclesResult {
@@ -110,9 +116,10 @@ impl CyclesResult {
                 feed_mark_um: 1e3 * cycle.feed_mark,
                 part_s: cycle.time,
                 parts_per_dressing: offers.with_dressing.then_some(cycle.parts),
+                cost_per_part: offers.cost.map(|cost| cost.per_part(cycle.time, cycle.parts)),
             })
         };
-        let Optimum { best, standard, by_roughing_strokes, pareto } = &offers.optimum;
+        let Optimum { best, cheapest, standard, by_roughing_strokes, pareto } = &offers.optimum;
         let fastest = row(best).unwrap_or_default();
         Self {
             stock_um: 1e3 * offers.stock,
@@ -120,6 +127,7 @@ impl CyclesResult {
             with_dressing: offers.with_dressing,
             standard: row(standard).unwrap_or(fastest),
             fastest,
+            cheapest: cheapest.as_ref().and_then(row),
             by_roughing_strokes: by_roughing_strokes.iter().map(row).collect(),
             by_load: pareto.iter().filter_map(row).collect(),
         }
@@ -131,8 +139,8 @@ impl CyclesResult {
 pub struct StrokeResult {
     /// "roughing", "finishing" or "spark-out", which takes nothing.
     pub stage: &'static str,
-    /// Stock that it leaves on each flank, normal.
-    pub left_um: Sides<f64>,
+    /// Stock that it leaves on each flank, normal; null for a flank that it does not grind.
+    pub left_um: Sides<Option<f64>>,
     /// Of the worm's tip.
     pub cutting_speed_m_per_s: f64,
     /// Feed per revolution of the workpiece.
@@ -148,7 +156,7 @@ pub struct StrokeResult {
     /// The limit that it comes nearest to; absent where it takes nothing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub nearest_limit: Option<LimitShare>,
-    /// Diagonal ratio.
+    /// Diagonal ratio; from end to end of the contact where it varies.
     pub diagonal_ratio: f64,
     /// Added to the centre distance.
     pub infeed_um: f64,
@@ -176,8 +184,8 @@ pub struct StrokeResult {
     pub time_s: Vec<f64>,
     /// Removal rate at these times.
     pub rate_mm3_per_s: Vec<f64>,
-    /// Each flank.
-    pub flanks: Sides<FlankRemovalResult>,
+    /// Each flank that it grinds; null for the other.
+    pub flanks: Sides<Option<FlankRemovalResult>>,
     /// Q'_w over flank and feed; absent where the stroke takes nothing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rate_map: Option<RateMapResult>,
@@ -188,10 +196,17 @@ pub struct StrokeResult {
 pub struct RateMapResult {
     /// Feeds z_V2, rising.
     pub feed_mm: Vec<f64>,
+    /// Each flank that the stroke grinds; null for the other.
+    pub flanks: Sides<Option<FlankRateResult>>,
+}
+
+/// Q'_w on one flank.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct FlankRateResult {
     /// Diameters of the places along the profile, rising.
-    pub diameter_mm: Sides<Vec<f64>>,
+    pub diameter_mm: Vec<f64>,
     /// Q'_w: for each diameter its values over the feed.
-    pub specific_rate_mm3_per_mm_s: Sides<Vec<Vec<f64>>>,
+    pub specific_rate_mm3_per_mm_s: Vec<Vec<f64>>,
 }
 
 /// How the worm is dressed.

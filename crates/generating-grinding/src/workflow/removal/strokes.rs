@@ -1,6 +1,6 @@
 //! What each stroke takes, how fast, where, and how near it comes to the limits.
 
-use super::result::{FlankRemovalResult, LimitShare, RateMapResult, StrokeResult};
+use super::result::{FlankRateResult, FlankRemovalResult, LimitShare, RateMapResult, StrokeResult};
 use super::{RPM, UM};
 use crate::workflow::prepare::RemovalTask;
 use foundation::geometry::{Flank, Sides};
@@ -34,7 +34,7 @@ pub(super) fn stroke_result(cycle: &Cycle, k: usize, task: &RemovalTask) -> Stro
             (false, true) => "finishing",
             (false, false) => "spark-out",
         },
-        left_um: figures.stroke.left.map(|_, left| UM * left),
+        left_um: of_ground(figures, |flank| UM * figures.stroke.left[flank]),
         cutting_speed_m_per_s: figures.stroke.cutting_speed,
         feed_per_revolution_mm: figures.stroke.feed_per_revolution,
         direction: match figures.stroke.direction {
@@ -45,7 +45,7 @@ pub(super) fn stroke_result(cycle: &Cycle, k: usize, task: &RemovalTask) -> Stro
         dwell_s: figures.stroke.dwell,
         feed_mark_um: UM * largest(figures, |flank| flank.feed_mark),
         nearest_limit: nearest_limit(figures, task),
-        diagonal_ratio: figures.stroke.shift.ratio,
+        diagonal_ratio: figures.stroke.shift.ratios(figures.contact).mean,
         infeed_um: UM * figures.infeed.delta_d,
         worm_speed_rpm: RPM * figures.speeds[0],
         work_speed_rpm: RPM * figures.speeds[1],
@@ -63,13 +63,16 @@ pub(super) fn stroke_result(cycle: &Cycle, k: usize, task: &RemovalTask) -> Stro
         time_s: time,
         rate_mm3_per_s: rate,
         rate_map: (figures.volume > 0.0).then(|| rate_map(cycle, k)),
-        flanks: figures.flanks.map(|_, flank: &FlankStroke| FlankRemovalResult {
-            depth_um: UM * flank.deepest,
-            contact_length_mm: most(&flank.contact_length),
-            contact_area_mm2: flank.contact_area,
-            specific_rate_mm3_per_mm_s: most(&flank.rate_bound),
-            chip_thickness_um: UM * flank.chip_thickness,
-            passage_um: UM * most(&flank.passage),
+        flanks: of_ground(figures, |flank| {
+            let flank: &FlankStroke = &figures.flanks[flank];
+            FlankRemovalResult {
+                depth_um: UM * flank.deepest,
+                contact_length_mm: most(&flank.contact_length),
+                contact_area_mm2: flank.contact_area,
+                specific_rate_mm3_per_mm_s: most(&flank.rate_bound),
+                chip_thickness_um: UM * flank.chip_thickness,
+                passage_um: UM * most(&flank.passage),
+            }
         }),
     }
 }
@@ -78,19 +81,24 @@ pub(super) fn stroke_result(cycle: &Cycle, k: usize, task: &RemovalTask) -> Stro
 fn rate_map(cycle: &Cycle, k: usize) -> RateMapResult {
     let [a, b] = cycle.strokes[k].contact;
     let feeds = equidistant([a.min(b), a.max(b)], MAP_FEEDS);
-    RateMapResult {
-        diameter_mm: Sides::from_fn(|flank| {
-            let engagement = &cycle.bodies.flanks[flank];
-            engagement.stations().map(|w| 2.0 * engagement.work().radius(w)).to_vec()
-        }),
-        specific_rate_mm3_per_mm_s: Sides::from_fn(|flank| cycle.largest_specific_rates(k, flank, &feeds)),
-        feed_mm: feeds,
-    }
+    let flanks = of_ground(&cycle.strokes[k], |flank| {
+        let engagement = &cycle.bodies.flanks[flank];
+        FlankRateResult {
+            diameter_mm: engagement.stations().map(|w| 2.0 * engagement.work().radius(w)).to_vec(),
+            specific_rate_mm3_per_mm_s: cycle.largest_specific_rates(k, flank, &feeds),
+        }
+    });
+    RateMapResult { flanks, feed_mm: feeds }
 }
 
-/// Largest of a figure over the stations of both flanks.
+/// What is said of each flank that a stroke grinds.
+fn of_ground<T>(figures: &StrokeFigures, of: impl Fn(Flank) -> T) -> Sides<Option<T>> {
+    Sides::from_fn(|flank| figures.stroke.ground.has(flank).then(|| of(flank)))
+}
+
+/// Largest of a figure over the stations of the flanks that are ground.
 pub(super) fn largest<const N: usize>(figures: &StrokeFigures, of: fn(&FlankStroke) -> [f64; N]) -> f64 {
-    Flank::BOTH.iter().flat_map(|&flank| of(&figures.flanks[flank])).fold(0.0, f64::max)
+    figures.stroke.ground.flanks().flat_map(|flank| of(&figures.flanks[flank])).fold(0.0, f64::max)
 }
 
 /// The limit that a stroke comes nearest to; `None` for one that takes nothing, or without limits.

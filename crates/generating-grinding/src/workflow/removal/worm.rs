@@ -4,7 +4,9 @@ use super::RPM;
 use super::result::{WormLifeResult, WormLoadResult, ZoneLoadResult};
 use crate::workflow::prepare::{Prepared, RemovalTask};
 use foundation::numerics::extremes;
-use grinding_technology::{Cycle, ROUGHING, STATIONS, TechnologyError, WidthUse, WormLife, ZoneLimits};
+use grinding_technology::{
+    Bodies, Cycle, Life, ROUGHING, STATIONS, TechnologyError, WidthUse, WormLife, ZoneLimits,
+};
 
 /// A speed that nothing limits, 1/s.
 const NO_LIMIT: f64 = 1e9;
@@ -59,27 +61,34 @@ fn zone_load(
     }
 }
 
-pub(super) fn life_of(
-    cycle: &Cycle,
+/// The worm's states between two dressings; how the parts change with the diameter is all that its `parts` tell.
+pub(super) fn worm_life(
+    bodies: &Bodies,
     (prepared, task): (&Prepared, &RemovalTask),
     [last_tip_diameter, radial_per_dressing]: [f64; 2],
-    parts_per_dressing: usize,
-) -> Result<WormLifeResult, TechnologyError> {
-    let bodies = &cycle.bodies;
+) -> Result<Life, TechnologyError> {
     let tip_radius = bodies.worm_tip_radius;
-    let life = WormLife {
+    WormLife {
         first_tip_diameter: 2.0 * tip_radius,
         last_tip_diameter,
         radial_per_dressing,
         cutting_speed: prepared.technology.cutting_speed(tip_radius),
         largest_worm_speed: task.speeds.worm.unwrap_or(NO_LIMIT),
         largest_work_speed: task.speeds.work.unwrap_or(NO_LIMIT),
-        // How the parts change with the diameter is all that is asked.
         allowed: 1.0,
         zone_width: 1.0,
         section_per_part: 1.0,
     }
-    .rows(bodies)?;
+    .rows(bodies)
+}
+
+pub(super) fn life_of(
+    cycle: &Cycle,
+    of_job: (&Prepared, &RemovalTask),
+    of_worm: [f64; 2],
+    parts_per_dressing: usize,
+) -> Result<WormLifeResult, TechnologyError> {
+    let life = worm_life(&cycle.bodies, of_job, of_worm)?;
     let (first, last) = match life.rows.as_slice() {
         [first, .., last] => (first, last),
         [only] => (only, only),

@@ -97,6 +97,10 @@ pub(super) const TEXTS: &[Text] = &[
     ("axial feed rate", "Vorschubgeschwindigkeit, axial"),
     ("axial stroke", "Axialhub"),
     ("strokes: roughing, finishing, spark-out", "Hübe: Schruppen, Schlichten, Ausfunken"),
+    (
+        "strokes of each flank: roughing, finishing, spark-out",
+        "Hübe je Flanke: Schruppen, Schlichten, Ausfunken",
+    ),
     ("worm shift over the stroke", "Shiftweg über den Hub"),
     ("sense of grinding", "Schleifsinn"),
     ("climb", "Gleichlauf"),
