@@ -18,6 +18,22 @@ pub(crate) fn mean_between(stock: &[f64], [low, high]: [f64; 2]) -> f64 {
     stock.windows(2).map(cell).sum::<f64>() / (stock.len() - 1) as f64
 }
 
+/// Integral of what lies above a level; the stock is linear between places that are so far apart.
+pub(crate) fn above(stock: &[f64], lengths: &[f64], level: f64) -> f64 {
+    let cell = |(pair, length): (&[f64], &f64)| {
+        let (a, b) = (pair[0] - level, pair[1] - level);
+        if a >= 0.0 && b >= 0.0 {
+            0.5 * (a + b) * length
+        } else if a <= 0.0 && b <= 0.0 {
+            0.0
+        } else {
+            let most = a.max(b);
+            0.5 * most * most / (b - a).abs() * length
+        }
+    };
+    stock.windows(2).zip(lengths).map(cell).sum()
+}
+
 /// Section that goes per feed: the integral of H D over the places with 0 < D and H D^2/2 below the depth of cut. `reach` are the distances
 /// sqrt(2 a_e/H) along the face width, `ahead` is D at its first place and D at its last.
 pub(crate) fn section(reach: &[f64], ahead: [f64; 2], curvature: f64) -> f64 {
@@ -73,6 +89,18 @@ mod tests {
         assert!((mean_between(&[4.0, 0.0], [1.0, f64::INFINITY]) - 0.25 * 3.0 * 1.5).abs() < 1e-15);
         assert_eq!(mean_between(&[0.5, 0.5, 0.5], [1.0, 2.0]), 0.0);
         assert_eq!(mean_between(&[1.5, 1.5], [1.0, 2.0]), 0.5);
+    }
+
+    #[test]
+    fn what_lies_above_is_exact_for_lines() {
+        // 0 to 4 over 2 mm: above 1 a triangle of 3 over 1.5 mm; then level at 4.
+        let of = |level: f64| above(&[0.0, 4.0, 4.0], &[2.0, 0.5], level);
+        assert!((of(1.0) - (0.5 * 3.0 * 1.5 + 3.0 * 0.5)).abs() < 1e-15);
+        assert_eq!([of(5.0), above(&[-1.0, -2.0], &[1.0], 0.0)], [0.0; 2]);
+        // A band is what lies above its lower end less what lies above its upper one.
+        let stock = [0.0, 4.0, 2.5, 1.5];
+        let of = |level: f64| above(&stock, &[0.5; 3], level);
+        assert!((of(1.0) - of(2.0) - 1.5 * mean_between(&stock, [1.0, 2.0])).abs() < 1e-15);
     }
 
     #[test]

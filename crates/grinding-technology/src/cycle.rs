@@ -1,6 +1,6 @@
 //! Strokes on stock: infeed, engagement, feeds of first and last contact, what each takes.
 
-use super::sampled::{Sampled, weights};
+use super::sampled::{Sampled, area_weights};
 use super::stroke::check;
 use super::volumes::volumes;
 use super::{Bodies, Direction, STATIONS, StockField, Stroke, TechnologyError};
@@ -233,9 +233,8 @@ fn flank_figures(
     let distance = curvature.map(reach);
     let feed = stroke.feed_per_revolution;
     let rolls = equidistant(engagement.roll, AREA_POINTS);
-    let strip =
-        |(&w, weight): (&f64, f64)| weight * engagement.area_density(w) * reach(engagement.gap_curvature(w));
-    let contact_area = rolls.iter().zip(weights(&rolls)).map(strip).sum();
+    let strip = |(&w, weight): (&f64, f64)| weight * reach(engagement.gap_curvature(w));
+    let contact_area = rolls.iter().zip(area_weights(engagement, &rolls)).map(strip).sum();
     let threads_per_second = bodies.threads() * bodies.speeds(stroke.cutting_speed)[0];
     let rate_bound = stations.map(|w| {
         threads_per_second * feed * engagement.area_density(w) / engagement.profile_width(w) * deepest

@@ -1,7 +1,8 @@
 //! How fast a stroke takes material: over all, and per millimetre of the worm's profile.
 
 use super::column::section;
-use super::sampled::{Sampled, weights};
+use super::sampled::{Sampled, area_weights};
+use super::wear::in_slices;
 use super::{Cycle, STATIONS};
 use foundation::geometry::Flank;
 use rayon::prelude::*;
@@ -18,17 +19,18 @@ impl Cycle {
         for flank in self.strokes[stroke].stroke.ground.flanks() {
             let sampled = &self.whole[flank];
             let of_roll = |i: usize| {
-                let mut at = vec![0.0; feeds.len()];
-                for space in 0..sampled.spaces {
-                    self.sections(stroke, flank, (sampled, i, space), feeds, |k, section| at[k] += section);
+                if sampled.spaces > 1 {
+                    return self.sections_of_all(stroke, flank, i, feeds);
                 }
+                let mut at = vec![0.0; feeds.len()];
+                self.sections(stroke, flank, (sampled, i, 0), feeds, |k, section| at[k] = section);
                 at
             };
             let rolls: Vec<Vec<f64>> = (0..sampled.w.len()).into_par_iter().map(of_roll).collect();
             let engagement = &self.bodies.flanks[flank];
             let by = self.strokes[stroke].feed * sampled.alike;
-            for ((weight, w), sections) in weights(&sampled.w).iter().zip(&sampled.w).zip(&rolls) {
-                let by = by * weight * engagement.area_density(*w);
+            for (weight, sections) in area_weights(engagement, &sampled.w).into_iter().zip(&rolls) {
+                let by = by * weight;
                 sums.iter_mut().zip(sections).for_each(|(sum, section)| *sum += by * section);
             }
         }
@@ -77,6 +79,49 @@ impl Cycle {
         let mut at = 0.0;
         self.sections(stroke, flank, (&sampled, 0, space), &[v], |_, section| at = section);
         at
+    }
+
+    /// Sections of all spaces together at feeds: stock that goes at the distance D from its place goes at the feed v = C_c2 - zeta - sigma D,
+    /// the same for every space. On slices of D as long as the cells along the face width all that go at the same feed lie on a diagonal.
+    fn sections_of_all(&self, stroke: usize, flank: Flank, i: usize, feeds: &[f64]) -> Vec<f64> {
+        let figures = &self.strokes[stroke];
+        let of_flank = &figures.flanks[flank];
+        let [low, high] = of_flank.between;
+        let sampled = &self.whole[flank];
+        let (w, curvature) = (sampled.w[i], sampled.curvature[i]);
+        let cells = sampled.z.len() - 1;
+        let length = self.bodies.face_width / cells as f64;
+        // D in cells: [space][cell].
+        let reach = |pair: &[f64]| {
+            let depth = (0.5 * (pair[0] + pair[1])).clamp(low, high) - low;
+            (2.0 * depth / curvature).sqrt() / length
+        };
+        let columns = (0..sampled.spaces).flat_map(|k| sampled.column(i, k).windows(2));
+        let reaches: Vec<f64> = columns.map(reach).collect();
+        let farthest = reaches.iter().copied().fold(0.0, f64::max);
+        if farthest <= 0.0 {
+            return vec![0.0; feeds.len()];
+        }
+        let slices = farthest.ceil() as usize;
+        let mut diagonals = vec![0.0; cells + slices];
+        for cell in 0..cells {
+            // Against the feed: a stroke with rising feed begins at the upper end.
+            let first = if figures.sign() > 0.0 { cells - 1 - cell } else { cell };
+            let amounts = in_slices(reaches.iter().skip(cell).step_by(cells).copied(), slices);
+            // Far stock goes first.
+            diagonals[first..].iter_mut().zip(amounts.iter().rev()).for_each(|(sum, amount)| *sum += amount);
+        }
+        // Per length of feed; a cell and a slice together are spread over two lengths, most in the middle.
+        let by = 0.5 * curvature * length * length;
+        let line = of_flank.raised[1] - self.bodies.flanks[flank].line_slope() * w;
+        let begun = figures.sign() * line - 0.5 * self.bodies.face_width - slices as f64 * length;
+        let at = |v: &f64| {
+            let place = (figures.sign() * v - begun) / length - 1.0;
+            let below = place.floor();
+            let of = |k: f64| if k < 0.0 { 0.0 } else { diagonals.get(k as usize).copied().unwrap_or(0.0) };
+            by * (of(below) * (1.0 - (place - below)) + of(below + 1.0) * (place - below))
+        };
+        feeds.iter().map(at).collect()
     }
 
     /// Gives the section at each feed with the number of the feed.

@@ -1,12 +1,12 @@
 //! Stock of one flank on lengths of roll and along the face width, for integrals over both.
 
-use super::{Bodies, StockField};
+use super::{Bodies, Engagement, StockField};
 use foundation::geometry::Flank;
 use foundation::numerics::equidistant;
 use rayon::prelude::*;
 
 /// Intervals along the profile, or along each piece of it between breaks, and along the face width.
-const ALONG_PROFILE: usize = 48;
+const ALONG_PROFILE: usize = 28;
 const ALONG_FACE: usize = 64;
 /// Along the face width where there are few lengths of roll.
 const ALONG_FACE_OF_FEW: usize = 192;
@@ -50,10 +50,16 @@ pub(crate) fn rolls(field: &StockField, bodies: &Bodies, flank: Flank, intervals
     w
 }
 
-/// Trapezoidal weights of rising places.
-pub(crate) fn weights(places: &[f64]) -> Vec<f64> {
-    let last = places.len() - 1;
-    (0..=last).map(|k| 0.5 * (places[(k + 1).min(last)] - places[k.saturating_sub(1)])).collect()
+/// Weights at rising lengths of roll for integrals of J times what is linear between them: exact, J being linear.
+pub(crate) fn area_weights(engagement: &Engagement, w: &[f64]) -> Vec<f64> {
+    let mut weights = vec![0.0; w.len()];
+    for k in 1..w.len() {
+        let length = w[k] - w[k - 1];
+        let [a, b] = [w[k - 1], w[k]].map(|w| engagement.area_density(w));
+        weights[k - 1] += length / 6.0 * (2.0 * a + b);
+        weights[k] += length / 6.0 * (a + 2.0 * b);
+    }
+    weights
 }
 
 impl Sampled {

@@ -193,6 +193,26 @@ impl StockField {
         breaks
     }
 
+    /// Axial places inside the face width where the slope of the stock jumps, rising, mm.
+    pub(crate) fn face_breaks(&self, flank: Flank) -> Vec<f64> {
+        let half = 0.5 * self.face_width;
+        let inside = |z: &f64| z.abs() < half;
+        self.stock.map[flank].iter().flat_map(|map| map.faces().iter().copied()).filter(inside).collect()
+    }
+
+    /// How much the stock bends between its breaks.
+    pub(crate) fn bend(&self) -> Bend {
+        if self.stock.hob.is_some() {
+            Bend::Marks
+        } else if self.stock.terms.iter().any(|term| term.i + term.j > 1) {
+            Bend::Terms
+        } else if self.stock.run_out.is_some() {
+            Bend::Slight
+        } else {
+            Bend::None
+        }
+    }
+
     /// Least and largest stock of a flank at the stations, mm.
     pub fn extent(&self, bodies: &Bodies, flank: Flank) -> [f64; 2] {
         let half = 0.5 * bodies.face_width;
@@ -247,6 +267,19 @@ impl StockField {
         let map = self.stock.map[flank].as_ref().map(|map| map.of_space(k));
         OfSpace { amount, moved, map }
     }
+}
+
+/// How much stock bends between the places where its slope jumps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Bend {
+    /// It is linear along the profile and along the face width.
+    None,
+    /// The normal turns a little along the face, as run-out shows.
+    Slight,
+    /// Polynomial terms.
+    Terms,
+    /// Marks of a hob.
+    Marks,
 }
 
 /// Stock of a place in every space, and the flank's normal there in the transverse section.

@@ -63,6 +63,11 @@ impl StockMap {
         &self.w
     }
 
+    /// Axial places of the grid, between which the slope jumps, mm.
+    pub(crate) fn faces(&self) -> &[f64] {
+        &self.z
+    }
+
     pub(crate) fn of_space(&self, k: usize) -> &[f64] {
         &self.spaces[k.min(self.spaces.len() - 1)]
     }

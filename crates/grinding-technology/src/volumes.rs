@@ -1,17 +1,23 @@
 //! Volumes of stock: integrals over the flank of what lies in bands of height.
 
-use super::column::mean_between;
-use super::sampled::{rolls, weights};
+use super::column::above;
+use super::sampled::{area_weights, rolls};
+use super::stock::Bend;
 use super::{Bodies, StockField};
 use foundation::geometry::Flank;
 use foundation::numerics::equidistant;
 use rayon::prelude::*;
 
-/// Intervals along each piece of the profile between breaks, and along the face width.
-const ALONG_PROFILE: usize = 192;
-const ALONG_FACE: usize = 320;
-/// Intervals along each piece of the profile where every space has its own; half as many miss a space's volume by 2e-5.
-const ALONG_PROFILE_OF_EACH: usize = 96;
+/// Intervals along each piece of the profile between breaks, and along the face width. What the strokes leave cuts through stock that is
+/// linear between its breaks too: the profile needs intervals for that, a line along the face width none.
+fn intervals(bend: Bend) -> [usize; 2] {
+    match bend {
+        Bend::None => [48, 1],
+        Bend::Slight => [48, 64],
+        Bend::Terms => [96, 192],
+        Bend::Marks => [96, 320],
+    }
+}
 
 /// Volume of each space in each band `[low, high]` of height, mm^3: `[band][space]`; one space where all are alike.
 pub(crate) fn volumes(
@@ -21,28 +27,50 @@ pub(crate) fn volumes(
     bands: &[[f64; 2]],
 ) -> Vec<Vec<f64>> {
     // The area's density is linear: constant stock needs no more than its ends.
-    let [along_profile, along_face] = match (field.is_constant(), field.is_alike()) {
-        (true, _) => [1, 1],
-        (false, true) => [ALONG_PROFILE, ALONG_FACE],
-        (false, false) => [ALONG_PROFILE_OF_EACH, ALONG_FACE],
-    };
+    let along_profile = if field.is_constant() { 1 } else { intervals(field.bend())[0] };
     let engagement = &bodies.flanks[flank];
-    let half = 0.5 * bodies.face_width;
     let w = rolls(field, bodies, flank, along_profile);
-    let z = equidistant([-half, half], along_face + 1);
+    let z = face_places(field, bodies, flank);
+    let lengths: Vec<f64> = z.windows(2).map(|ends| ends[1] - ends[0]).collect();
     let spaces = field.different_spaces();
     let own: Vec<_> = (0..spaces).map(|k| field.of_space(flank, k)).collect();
-    let weighted: Vec<(f64, f64)> = w.iter().copied().zip(weights(&w)).collect();
-    let row = |&(w, weight): &(f64, f64)| -> Vec<Vec<f64>> {
+    // What lies in a band is what lies above its lower end less what lies above its upper one.
+    let mut levels: Vec<f64> = bands.iter().flatten().copied().filter(|level| level.is_finite()).collect();
+    levels.sort_by(f64::total_cmp);
+    levels.dedup();
+    let weighted: Vec<(f64, f64)> = w.iter().copied().zip(area_weights(engagement, &w)).collect();
+    let row = |&(w, weight): &(f64, f64)| -> Vec<f64> {
         let places: Vec<_> = z.iter().map(|&z| field.of_place(flank, w, z)).collect();
-        let by = weight * bodies.face_width * engagement.area_density(w);
-        let columns: Vec<Vec<f64>> =
-            own.iter().map(|own| places.iter().map(|place| own.on(*place)).collect()).collect();
-        let of_band =
-            |band: &[f64; 2]| columns.iter().map(|column| by * mean_between(column, *band)).collect();
-        bands.iter().map(of_band).collect()
+        let mut column = Vec::with_capacity(places.len());
+        let mut row = Vec::with_capacity(spaces * levels.len());
+        for own in &own {
+            column.clear();
+            column.extend(places.iter().map(|place| own.on(*place)));
+            row.extend(levels.iter().map(|&level| weight * above(&column, &lengths, level)));
+        }
+        row
     };
-    let rows: Vec<Vec<Vec<f64>>> = weighted.par_iter().map(row).collect();
-    let of_space = |band: usize, space: usize| rows.iter().map(|row| row[band][space]).sum();
-    (0..bands.len()).map(|band| (0..spaces).map(|space| of_space(band, space)).collect()).collect()
+    let rows: Vec<Vec<f64>> = weighted.par_iter().map(row).collect();
+    let above = |level: f64, space: usize| -> f64 {
+        let place = levels.iter().position(|other| *other == level);
+        place.map_or(0.0, |place| rows.iter().map(|row| row[space * levels.len() + place]).sum())
+    };
+    let in_band = |[low, high]: [f64; 2], space: usize| above(low, space) - above(high, space);
+    bands.iter().map(|&band| (0..spaces).map(|space| in_band(band, space)).collect()).collect()
+}
+
+/// Axial places between which the stock is smooth, and near enough to count as linear.
+fn face_places(field: &StockField, bodies: &Bodies, flank: Flank) -> Vec<f64> {
+    let half = 0.5 * bodies.face_width;
+    if field.is_constant() {
+        return vec![-half, half];
+    }
+    let mut ends = vec![-half];
+    ends.extend(field.face_breaks(flank));
+    ends.push(half);
+    let each = intervals(field.bend())[1].div_ceil(ends.len() - 1);
+    let mut places: Vec<f64> =
+        ends.windows(2).flat_map(|ends| equidistant([ends[0], ends[1]], each + 1)).collect();
+    places.dedup();
+    places
 }

@@ -8,8 +8,9 @@ use rayon::prelude::*;
 
 /// Resolution of the removed section over the worm's width, mm: a part of the bins, which are 1 mm wide.
 const STEP: f64 = 1.0 / 32.0;
-/// Slices of the height of the stock.
+/// Slices of the way on which stock goes: where one cell is the whole face width, and where the face width has many cells.
 const SLICES: usize = 48;
+const SLICES_OF_MANY: usize = 16;
 /// Share of the largest below which a bin is empty: sums of differences leave this much.
 const ROUNDING: f64 = 1e-9;
 
@@ -120,6 +121,25 @@ impl Spread {
         self.accumulated[k] * (1.0 - share) + self.accumulated[k + 1] * share
     }
 
+    /// The same of so many parts, each of which stands a step further back.
+    fn below_of(&self, z_1: f64, parts: usize) -> f64 {
+        let [from, to] = self.range();
+        let step = self.step_per_part;
+        if step == 0.0 {
+            return parts as f64 * self.below(z_1);
+        }
+        // Parts from `first` up to `behind` stand with a part of theirs below the place, those on one side of them with all, on the other
+        // with nothing.
+        let at = |place: f64| (((place - z_1) / step).clamp(-1.0, parts as f64 + 1.0)) as i64;
+        let (a, b) = (at(from), at(to));
+        let count = parts as i64;
+        let (first, behind) = ((a.min(b) - 1).clamp(0, count), (a.max(b) + 2).clamp(0, count));
+        let whole = if step > 0.0 { count - behind } else { first };
+        let total = self.accumulated.last().copied().unwrap_or(0.0);
+        let some = (first..behind).map(|part| self.below(z_1 + step * part as f64)).sum::<f64>();
+        some + whole as f64 * total
+    }
+
     fn range(&self) -> [f64; 2] {
         [self.from, self.from + STEP * (self.accumulated.len() - 1) as f64]
     }
@@ -167,15 +187,16 @@ impl Cycle {
         let pieces = if figures.stroke.shift.law.is_affine() { 1 } else { BENT_CELLS.div_ceil(cells) };
         let half = 0.5 * self.bodies.face_width;
         let z = equidistant([-half, half], cells * pieces + 1);
-        let slice = farthest / SLICES as f64;
+        let slices = if cells == 1 { SLICES } else { SLICES_OF_MANY };
+        let slice = farthest / slices as f64;
         // z_1 at the ends of the slices.
         let places =
-            |&z: &f64| -> Vec<f64> { (0..=SLICES).map(|n| on_worm.place(z, slice * n as f64)).collect() };
+            |&z: &f64| -> Vec<f64> { (0..=slices).map(|n| on_worm.place(z, slice * n as f64)).collect() };
         let places: Vec<Vec<f64>> = z.iter().map(places).collect();
         let mut collected = Collected::over(extremes(places.iter().flatten().copied()));
         let by = 0.5 * curvature * self.bodies.face_width / (cells * pieces * sampled.spaces) as f64;
         for cell in 0..cells {
-            let amounts = in_slices(reaches.iter().skip(cell).step_by(cells).map(|far| far / slice));
+            let amounts = in_slices(reaches.iter().skip(cell).step_by(cells).map(|far| far / slice), slices);
             for piece in 0..pieces {
                 let [from, to] = [cell * pieces + piece, cell * pieces + piece + 1].map(|k| &places[k]);
                 for (n, amount) in amounts.iter().enumerate().filter(|(_, amount)| **amount > 0.0) {
@@ -193,17 +214,17 @@ impl Cycle {
 }
 
 /// The squares of reaches, in slices, that lie in each slice.
-fn in_slices(reaches: impl Iterator<Item = f64>) -> [f64; SLICES] {
-    let mut amounts = [0.0; SLICES];
-    let mut ending = [0.0; SLICES];
+pub(crate) fn in_slices(reaches: impl Iterator<Item = f64>, slices: usize) -> Vec<f64> {
+    let mut amounts = vec![0.0; slices];
+    let mut ending = vec![0.0; slices];
     for far in reaches.filter(|far| *far > 0.0) {
         // A slice that a reach ends in has a part of its own, those below are whole.
-        let last = (far as usize).min(SLICES - 1);
+        let last = (far as usize).min(slices - 1);
         ending[last] += 1.0;
         amounts[last] += far * far - (last * last) as f64;
     }
     let mut beyond = 0.0;
-    for n in (0..SLICES).rev() {
+    for n in (0..slices).rev() {
         amounts[n] += beyond * (2 * n + 1) as f64;
         beyond += ending[n];
     }
@@ -228,13 +249,8 @@ impl WearTask<'_> {
             let stations = self.cycle.bodies.flanks[flank].stations();
             let row = |(spreads, w): (&Vec<Spread>, f64)| -> Vec<f64> {
                 let factor = self.cycle.bodies.flanks[flank].wear_factor(w);
-                let below = |edge: i64| -> f64 {
-                    let of_spread = |spread: &Spread| {
-                        let place = |part: usize| edge as f64 + spread.step_per_part * part as f64;
-                        (0..parts).map(|part| spread.below(place(part))).sum::<f64>()
-                    };
-                    spreads.iter().map(of_spread).sum()
-                };
+                let below =
+                    |edge: i64| spreads.iter().map(|spread| spread.below_of(edge as f64, parts)).sum::<f64>();
                 let edges: Vec<f64> = (low..=high + 1).map(below).collect();
                 edges.windows(2).map(|ends| factor * (ends[1] - ends[0]).max(0.0)).collect()
             };

@@ -82,7 +82,6 @@ fn a_shift_that_bends_spreads_the_load_by_its_slope() {
     let middle = bent.strokes[0].flanks.left.raised[1];
     let densities: Vec<f64> = (-6..=6).map(|k| at_slope(middle + f64::from(k))).collect();
     let found: Vec<f64> = (from..to).map(|bin| map.value(station, bin)).collect();
-    eprintln!("{found:?} {densities:?}");
     for density in densities {
         let nearest = found.iter().map(|value| (value / density - 1.0).abs()).fold(f64::INFINITY, f64::min);
         assert!(nearest < 0.02, "{density} is in no bin: {nearest}");
