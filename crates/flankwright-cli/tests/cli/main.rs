@@ -1,6 +1,7 @@
 //! The command as its users meet it.
 
 mod bad_input;
+mod blanks;
 mod catalogue;
 mod command;
 mod commands;
