@@ -18,6 +18,7 @@ mod milling;
 mod milling_refusals;
 mod planning;
 mod programs;
+mod rexs;
 mod robustness;
 mod serve;
 mod shifts;

@@ -50,6 +50,7 @@ pub use files::{
     parse_measurement, read_measurement,
 };
 pub use files_content::MeasuredFiles;
+pub use generating_grinding::stock_file::MeasuredStock;
 pub use result::{
     ArealResult, BandResult, ClassResult, GearInspectionResult, LinesResult, PitchInspectionResult,
     PrintedResult, SummaryResult, ThicknessResult, TraceInspectionResult, TwistResult,

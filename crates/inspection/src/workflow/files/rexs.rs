@@ -72,12 +72,15 @@ fn drawn(gear: &RexsGear, body: &Gear) -> Result<DrawnGear, RunFailure> {
     });
     let helix =
         gear.fields.map(|_, field| [field.z_start_mm.unwrap_or(-half), field.z_end_mm.unwrap_or(half)]);
+    let shift = gear.made_profile_shift().map_err(|error| {
+        RunFailure::bad_input(Diagnostic::of(&error).field("span_measurement, size_over_balls"))
+    })?;
     let drawn = InspectedGear {
         teeth: gear.teeth,
         normal_module_mm: gear.normal_module_mm,
         normal_pressure_angle_deg: angles.left,
         helix_angle_deg: gear.helix_angle_deg,
-        profile_shift: Some(gear.profile_shift),
+        profile_shift: Some(shift),
         face_width_mm: Some(gear.face_width_mm),
         tip_diameter_mm: gear.tip_diameter_mm,
         root_diameter_mm: gear.root_diameter_mm,
