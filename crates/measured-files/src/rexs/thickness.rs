@@ -87,7 +87,7 @@ impl RexsThickness {
         }
     }
 
-    /// Finds it in a component, that of the span first. `body` is the gear of the stated profile shift. What is not complete is told and not
+    /// Finds it in a component, that of the span first. `body` is the gear of the stated profile shift. What is not complete is reported and not
     /// used.
     pub(super) fn read(
         component: &Component,
