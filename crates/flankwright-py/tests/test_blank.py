@@ -28,11 +28,13 @@ def test_a_blank_has_the_stock_that_the_command_finds(command: Path, tmp_path: P
     assert [path.name for path in written] == ["stock.csv", "blank.json"]
     assert written[0].read_bytes() == (tmp_path / "command/stock.csv").read_bytes()
     left = found.flanks["left"]
-    assert left.spaces == list(range(35)) and left.stock.shape == (35, left.w.size, left.z.size)
+    # Without pitches only the teeth with traces are listed.
+    assert left.spaces == list(range(0, 35, 5)) and left.stock.shape == (7, left.w.size, left.z.size)
     allowance = fw.Job.load(JOB)["stock.allowance_um"]
     least, mean, most = found.document["stock_um"]["left"]
-    np.testing.assert_allclose([left.stock.min(), left.stock.mean(), left.stock.max()], np.array([least, mean, most]) - allowance, atol=1e-9)
-    assert "BlankStock" in repr(found) and "35 spaces" in repr(left)
+    found_um = np.array([left.stock.min(), left.stock.mean(), left.stock.max()]) + allowance
+    np.testing.assert_allclose(found_um, [least, mean, most], atol=1e-9)
+    assert "BlankStock" in repr(found) and "7 spaces" in repr(left)
 
 
 def test_a_blank_that_is_none_is_refused() -> None:
@@ -43,7 +45,7 @@ def test_a_blank_that_is_none_is_refused() -> None:
         fw.blank_stock(BLANK, EXAMPLES / "milling/spur-module-8.toml")
     assert (caught.value.code, caught.value.field) == ("process-not-available", "job.process")
     with pytest.raises(fw.BadInput) as caught:
-        fw.blank_stock(BLANK, fw.Job.load(JOB).replace({"stock": None}))
+        fw.blank_stock(BLANK, fw.Job.load(JOB).replace({"stock": None, "technology": None}))
     assert caught.value.field == "stock.allowance_um" and caught.value.way_out
 
 
