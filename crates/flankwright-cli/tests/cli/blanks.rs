@@ -7,9 +7,7 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 use crate::command::{Run, repository, run};
-
-#[path = "../../../flankwright-store/tests/store/made_file.rs"]
-mod made_file;
+use crate::store::made_file;
 
 /// The gear of the made files, ground by a job that knows its mean stock.
 const JOB: &str = r#"
