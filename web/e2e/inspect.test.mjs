@@ -93,6 +93,41 @@ site.test("files of several parts make a series, whose parts the store keeps", a
   await page.locator("main dl").first().waitFor();
 });
 
+site.test("a blank gets the table of its stock, from a file and from the store", async (page, server) => {
+  // The job knows the mean stock, and has no table yet.
+  const job = (await exampleText("cycles/measured-blank.toml")).replace(/^map = .*\n/m, "");
+  await openInspection(page, server);
+  await drop(page, ".zone", [
+    { name: "measured-blank.toml", text: job },
+    { name: "blank.csv", text: await exampleText("inspection/blank.csv") },
+  ]);
+  await page.getByLabel("It is the blank before grinding").check();
+  await button(page, "Evaluate").click();
+  await heading(page, "Stock of the blank over the gear of the job").waitFor({ timeout: RUN_MS });
+  await page.getByText("Level from the job: stock.allowance_um").waitFor();
+  const [table] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("link", { name: "Download the table (stock.csv)" }).click(),
+  ]);
+  assert.equal(table.suggestedFilename(), "stock.csv");
+  assert.match(await readFile(await table.path(), "utf8"), /^flank,space,w_mm,z_mm,um\n/);
+
+  // A stored part is offered to the open job; this one is another gear, which is told.
+  await openInspection(page, server);
+  const text = await readFile(inRepository("fuzz/seeds/klingelnberg/curves.mka"), "latin1");
+  await drop(page, ".zone", [{ name: "kept.mka", text: text.replaceAll("4711", "4799") }]);
+  await page.getByLabel("Keep the parts in the store").check();
+  await button(page, "Evaluate").click();
+  await heading(page, "In the store").waitFor({ timeout: RUN_MS });
+  await page.goto(server.address);
+  await page.getByRole("button", { name: /^closed-loop/ }).click();
+  await valid(page);
+  await page.goto(`${server.address}/#/history/parts`);
+  await page.locator("tbody tr", { hasText: "kept.mka" }).locator("a").click();
+  await page.getByRole("button", { name: /^Stock as a blank of/ }).click();
+  await page.getByText("the measurement is of another gear").first().waitFor({ timeout: RUN_MS });
+});
+
 site.test("a job that simulates its measurement is inspected without a file", async (page, server) => {
   await page.goto(server.address);
   await page.getByRole("button", { name: /^closed-loop/ }).click();

@@ -140,12 +140,17 @@ describe("frames", () => {
 
 describe("options of an inspection", () => {
   it("hold only what is stated", () => {
-    expect(optionsOf(START)).toEqual({});
-    expect(optionsOf({ ...START, slopeSigns: "din", toleranceClass: 6, series: "x" })).toEqual({
+    expect(optionsOf(START, true, "de")).toEqual({});
+    // Without a job nothing else says in which language the report is.
+    expect(optionsOf(START, false, "de")).toEqual({ language: "de" });
+    // Stock is that over the gear of a job, and judged by no class.
+    expect(optionsOf({ ...START, blank: true, toleranceClass: 6 }, true, "en")).toEqual({ blank: true });
+    expect(optionsOf({ ...START, blank: true }, false, "en")).toEqual({ language: "en" });
+    expect(optionsOf({ ...START, slopeSigns: "din", toleranceClass: 6, series: "x" }, true, "en")).toEqual({
       slope_signs: { left: 1, right: -1 },
       class: 6,
     });
-    expect(optionsOf({ ...START, keep: true, series: " ring " })).toEqual({ keep: true, series: "ring" });
+    expect(optionsOf({ ...START, keep: true, series: " ring " }, true, "en")).toEqual({ keep: true, series: "ring" });
   });
 });
 

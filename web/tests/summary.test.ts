@@ -59,6 +59,30 @@ describe("the summary of a run", () => {
   });
 });
 
+describe("the summary of a blank", () => {
+  it("has its stock and the table for the job", async () => {
+    const { default: SummaryTab } = await import("../src/runs/SummaryTab.svelte");
+    const document: ResultDocument = {
+      job: "ground",
+      files: ["blank.mka"],
+      stock_um: { left: [90.04, 101.26, 112.5], right: null },
+      teeth_with_traces: { left: 3, right: 0 },
+      level_from: "span",
+      with_pitch: true,
+      remarks: [{ code: "blank-without-pitch", text: "pitches are not known", way_out: "measure them" }],
+    };
+    const files = [{ name: "stock.csv", bytes: 9 }];
+    const { body } = render(SummaryTab, { props: { run: { ...run(document), files } } });
+    for (const said of ["101.3", "Level from the measured span", "every tooth", "/api/runs/1/files/stock.csv", "measure them"]) {
+      expect(body, said).toContain(said);
+    }
+    // The figures are shown once.
+    expect(body).not.toContain("level_from");
+    const { body: bare } = render(SummaryTab, { props: { run: { ...run(document), files: [] } } });
+    expect(bare).not.toContain("stock.csv)");
+  });
+});
+
 describe("the programs of a run", () => {
   it("of a missed target carry no green mark", async () => {
     const { default: ProgramView } = await import("../src/programs/ProgramView.svelte");

@@ -41,7 +41,7 @@ mod _core {
     #[pymodule_export]
     use crate::gearbox::CoreGearbox;
     #[pymodule_export]
-    use crate::inspection::{inspect, inspect_series};
+    use crate::inspection::{CoreBlank, inspect, inspect_series};
     #[pymodule_export]
     use crate::job::{CoreJob, schema, template};
     #[pymodule_export]

@@ -5,14 +5,17 @@ use std::time::Duration;
 
 use flankwright::exchange::catalogue::Catalogue;
 use flankwright::exchange::skiving_history::{History, HistoryRecord};
+use flankwright::workflow::inspection::MeasurementFile;
 use tokio::runtime::{Builder, Handle, Runtime};
 
 use crate::address::StoreAddress;
+use crate::content::PartContent;
 use crate::error::StoreError;
 use crate::filter::{CharacteristicFilter, PartFilter};
+use crate::parts::StoredMeasurement;
 use crate::records::{
-    MeasuredCharacteristic, NewRun, PartRecord, PartSummary, PlanRecord, PlanSummary, RunEnd, RunFile,
-    RunRecord, RunSummary, SeriesSummary, ToolSummary,
+    MeasuredCharacteristic, MeasuredPart, NewRun, PartRecord, PartSummary, PlanRecord, PlanSummary, RunEnd,
+    RunFile, RunRecord, RunSummary, SeriesSummary, ToolSummary,
 };
 use crate::reports::{CatalogueReport, HistoryReport, ImportReport, StoreHealth};
 use crate::store::Store as AsyncStore;
@@ -52,6 +55,14 @@ impl Store {
     pub fn address(&self) -> &StoreAddress {
         self.store.address()
     }
+
+    /// As [`crate::Store::files_of`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn files_of(&self, content: &PartContent) -> Result<Vec<MeasurementFile>, StoreError> {
+        self.store.files_of(content)
+    }
 }
 
 fn runtime(address: &StoreAddress) -> Result<Runtime, StoreError> {
@@ -87,11 +98,17 @@ macro_rules! waiting {
 waiting! {
     import_parts(parts: &[PartRecord]) -> ImportReport;
     replace_parts(parts: &[PartRecord]) -> ImportReport;
+    import_measured(parts: &[MeasuredPart], replace: bool) -> ImportReport;
     remove_part(digest: &str) -> bool;
     series() -> Vec<SeriesSummary>;
     parts(filter: &PartFilter) -> Vec<PartSummary>;
     part(digest: &str) -> Option<PartRecord>;
     known_parts(digests: &[&str]) -> HashSet<String>;
+    part_named(name: &str) -> PartSummary;
+    measurement(name: &str) -> StoredMeasurement;
+    part_content(digest: &str) -> Option<PartContent>;
+    complete_part(content: &PartContent) -> bool;
+    parts_without_content(digests: &[&str]) -> HashSet<String>;
     characteristics(filter: &CharacteristicFilter) -> Vec<MeasuredCharacteristic>;
     import_catalogue(catalogue: &Catalogue, replace: bool) -> CatalogueReport;
     catalogue() -> Catalogue;

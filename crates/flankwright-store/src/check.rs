@@ -4,8 +4,10 @@ use std::collections::HashSet;
 
 use flankwright::exchange::Diagnostic;
 use flankwright::exchange::inspection::{SORTABLE_DATE, is_sortable_date};
+use flankwright::exchange::rexs::MAXIMUM_FILE_BYTES;
 use serde_json::Value;
 
+use crate::content::PartContent;
 use crate::records::{CharacteristicValue, PartRecord, PlanRecord};
 
 /// Characters of a name, a unit, a version.
@@ -53,6 +55,32 @@ pub(crate) fn part(place: usize, part: &PartRecord) -> Result<(), Diagnostic> {
                 .allowed("each name with its flank, tooth, statistic and unit once")
                 .way_out("give the part one value of each characteristic"));
         }
+    }
+    Ok(())
+}
+
+/// Everything that the files of a part must be; `digest` is that of the part.
+pub(crate) fn content(at: &str, content: &PartContent, digest: &str) -> Result<(), Diagnostic> {
+    if content.packed().is_empty() {
+        return Err(invalid(at, "has no file")
+            .value(0)
+            .allowed("the files of one measurement")
+            .way_out("give the files that the part was measured by"));
+    }
+    for (k, file) in content.packed().iter().enumerate() {
+        text(&format!("{at}.files[{k}].name"), &file.name, LONG)?;
+        if file.size > MAXIMUM_FILE_BYTES as u64 {
+            return Err(invalid(&format!("{at}.files[{k}]"), "is too large")
+                .value(format!("{} bytes", file.size))
+                .allowed(format!("at most {MAXIMUM_FILE_BYTES} bytes"))
+                .way_out("give the file of one part"));
+        }
+    }
+    if content.digest() != digest {
+        return Err(invalid(at, "is that of another part")
+            .value(content.digest())
+            .allowed(format!("files with the digest {digest}"))
+            .way_out("give the files that the part was evaluated from"));
     }
     Ok(())
 }

@@ -21,6 +21,11 @@ pub(crate) fn digest_of_reader(mut reader: impl Read) -> io::Result<String> {
     }
 }
 
+/// The identity of a part of several files: the digest of their digests; of one file its own.
+pub(crate) fn joined(digests: &[&str]) -> String {
+    if let [one] = digests { (*one).to_owned() } else { digest_of(digests.join("\n").as_bytes()) }
+}
+
 fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().fold(String::with_capacity(64), |mut text, byte| {
         // Writing to a text cannot fail.

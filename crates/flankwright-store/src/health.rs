@@ -40,6 +40,8 @@ impl Store {
             0 => {}
             count => faults.push(format!("{count} parts have not all of their values")),
         }
+        let (parts_with_files, torn) = self.content_faults(TOLD).await?;
+        faults.extend(torn);
         for found in [
             self.catalogue().await.map(drop),
             self.history(None).await.map(drop),
@@ -62,6 +64,8 @@ impl Store {
             kind,
             tables,
             parts,
+            parts_with_files,
+            file_bytes: self.content_bytes().await?,
             values: self.count("SELECT count(*) FROM measured_value").await?,
             bodies: self.count(catalogue::COUNT).await?,
             plans: self.count("SELECT count(*) FROM plan").await?,
@@ -81,6 +85,7 @@ impl Store {
         let Pool::Sqlite(pool) = &self.pool else { return Ok(()) };
         for (what, statement) in [
             ("a part's document", "SELECT count(*) FROM part WHERE NOT json_valid(document)"),
+            ("a part's statements", "SELECT count(*) FROM part_content WHERE NOT json_valid(stated)"),
             ("a plan's document", "SELECT count(*) FROM plan WHERE NOT json_valid(document)"),
         ] {
             let count: i64 = self.done(sqlx::query_scalar(statement).fetch_one(pool).await)?;

@@ -44,6 +44,7 @@ mod address;
 pub mod blocking;
 mod catalogue;
 mod check;
+mod content;
 mod digest;
 mod error;
 mod filter;
@@ -62,14 +63,16 @@ mod store;
 mod words;
 
 pub use address::StoreAddress;
+pub use content::PartContent;
 pub use digest::digest_of;
 pub use error::StoreError;
 pub use filter::{CharacteristicFilter, PartFilter};
 pub use measured::{ImportSettings, KnownPart, MeasurementReport, RefusedFile};
+pub use parts::{SHORTEST_DIGEST, StoredMeasurement};
 pub use records::{
-    Characteristic, CharacteristicValue, MeasuredCharacteristic, NewRun, PartRecord, PartSummary, PlanRecord,
-    PlanSummary, RunEnd, RunFile, RunFileSummary, RunRecord, RunState, RunSummary, SeriesSummary,
-    ToolSummary,
+    Characteristic, CharacteristicValue, MeasuredCharacteristic, MeasuredPart, NewRun, PartRecord,
+    PartSummary, PlanRecord, PlanSummary, RunEnd, RunFile, RunFileSummary, RunRecord, RunState, RunSummary,
+    SeriesSummary, ToolSummary,
 };
 pub use reports::{CatalogueReport, HistoryReport, ImportReport, StoreHealth};
 pub use store::Store;

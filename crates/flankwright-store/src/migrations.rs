@@ -8,7 +8,7 @@ use sqlx::{SqlSafeStr, SqlStr, SqliteConnection};
 use crate::pool::{Pool, SCHEMA, Writing, on_writing};
 
 /// Description and text of each version, from 1; for SQLite and for PostgreSQL.
-const VERSIONS: [(&str, &str, &str); 2] = [
+const VERSIONS: [(&str, &str, &str); 3] = [
     (
         "first",
         include_str!("../migrations/sqlite/0001_first.sql"),
@@ -18,6 +18,11 @@ const VERSIONS: [(&str, &str, &str); 2] = [
         "runs",
         include_str!("../migrations/sqlite/0002_runs.sql"),
         include_str!("../migrations/postgres/0002_runs.sql"),
+    ),
+    (
+        "measurements",
+        include_str!("../migrations/sqlite/0003_measurements.sql"),
+        include_str!("../migrations/postgres/0003_measurements.sql"),
     ),
 ];
 

@@ -7,6 +7,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use crate::content::PartContent;
+
 /// A measured part.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -35,11 +37,20 @@ pub struct PartRecord {
     pub characteristics: Vec<CharacteristicValue>,
 }
 
-impl PartRecord {
-    /// The part without document and characteristics.
+/// A measured part with what it was measured by, as it goes into the store.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeasuredPart {
+    /// What was evaluated.
+    pub record: PartRecord,
+    /// What it was evaluated from.
+    pub content: PartContent,
+}
+
+impl MeasuredPart {
+    /// What lists show of the part.
     pub fn into_summary(self) -> PartSummary {
-        let Self { series, part, drawing, date, machine, source, digest, .. } = self;
-        PartSummary { series, part, drawing, date, machine, source, digest }
+        let PartRecord { series, part, drawing, date, machine, source, digest, .. } = self.record;
+        PartSummary { series, part, drawing, date, machine, source, digest, has_files: true }
     }
 }
 
@@ -134,6 +145,9 @@ pub struct PartSummary {
     pub source: String,
     /// Digest of the file.
     pub digest: String,
+    /// Whether its files are in the store, so that more can be made of it: the stock of a blank. Parts of earlier imports have evaluated
+    /// values only.
+    pub has_files: bool,
 }
 
 /// A value of one characteristic on a part.

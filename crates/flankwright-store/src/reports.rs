@@ -46,6 +46,10 @@ pub struct StoreHealth {
     pub tables: i64,
     /// Parts.
     pub parts: u64,
+    /// Parts whose files are there too.
+    pub parts_with_files: u64,
+    /// What those files take, packed, in bytes.
+    pub file_bytes: u64,
     /// Values of characteristics.
     pub values: u64,
     /// Worms and dressers.

@@ -183,6 +183,7 @@ pub fn documents() -> Vec<DocumentFormat> {
             "inspection-series",
             "series.json",
         ),
+        DocumentFormat::of::<::inspection::workflow::BlankStockResult>("blank-stock", "blank.json"),
         DocumentFormat::of::<::run::RefusedResult<'static>>("refusal", "result.json"),
         DocumentFormat::of::<Preview>("preview", "the answer of a preview"),
         DocumentFormat::of::<CheckedProgram>("program-check", "the answer of `program check --json`"),

@@ -45,9 +45,15 @@ export const chart = async (id: Id, name: string): Promise<string> =>
   (await request(addressOf("/api/runs/{id}/charts/{name}", { id, name }))).text();
 export const scene = (id: Id) => get("/api/runs/{id}/scene", { id });
 
-export async function sendMeasurements(files: File[], job: Job | undefined, options: InspectOptions): Promise<RunBegun> {
+/** Files, or a part of the store in their place by its digest. */
+export async function sendMeasurements(
+  measured: File[] | string,
+  job: Job | undefined,
+  options: InspectOptions,
+): Promise<RunBegun> {
   const form = new FormData();
-  for (const file of files) form.append("file", file, file.name);
+  if (typeof measured === "string") form.append("part", measured);
+  else for (const file of measured) form.append("file", file, file.name);
   if (job) form.append("job", new Blob([JSON.stringify(job)], { type: "application/json" }));
   if (Object.keys(options).length > 0) {
     form.append("options", new Blob([JSON.stringify(options)], { type: "application/json" }));

@@ -799,6 +799,23 @@ export interface components {
        */
       rounding_um?: number | null;
     };
+    /** @description What a blank has on its flanks in all, normal. */
+    BlankStockResult: {
+      /** @description Files of the measurement. */
+      files: string[];
+      /** @description Name of the job. */
+      job: string;
+      /** @description What the level comes from: "span", "balls" or "stock.allowance_um". */
+      level_from: string;
+      /** @description What to know. */
+      remarks: components["schemas"]["Remark"][];
+      /** @description Least, mean and greatest of each flank; absent for a flank that was not measured. */
+      stock_um: components["schemas"]["Sides7"];
+      /** @description Teeth whose traces were measured, on each flank; the others have the mean of them. */
+      teeth_with_traces: components["schemas"]["Sides8"];
+      /** @description Whether every tooth stands where its pitch says. */
+      with_pitch: boolean;
+    };
     /** @description A body as triangles. */
     Body: {
       /** @description Whether the triangles close it: every edge has one on each side. An open body is to be drawn from both sides. */
@@ -3185,6 +3202,12 @@ export interface components {
     /** @description What the files of a measurement do not tell, and how its sheets look. */
     InspectOptions: {
       /**
+       * @description The measured gear is the blank before grinding: the stock that it has over the gear of the job, tooth by tooth, as the table `stock.csv` for
+       *     the key `stock.map`.
+       * @default false
+       */
+      blank?: boolean;
+      /**
        * Format: int32
        * @description Class of ISO 1328-1 whose tolerances are the limits, 1 to 11.
        * @default null
@@ -3210,6 +3233,11 @@ export interface components {
        * @default false
        */
       keep?: boolean;
+      /**
+       * @description Language of report, sheets and series, `en` or `de`; without it that of the job, else English.
+       * @default null
+       */
+      language?: string | null;
       /**
        * @description `face-width` or `range`.
        * @default null
@@ -3766,6 +3794,11 @@ export interface components {
     };
     /** @description What became of the files. */
     MeasurementReport: {
+      /**
+       * Format: uint
+       * @description Parts among the known ones whose files were put beside their values; earlier imports had not kept them.
+       */
+      completed: number;
       /** @description New parts, and those that were evaluated again, in the order of the files. */
       imported: components["schemas"]["PartSummary"][];
       /** @description Parts whose files have the content of a part that is there, or of one before them. */
@@ -3828,12 +3861,17 @@ export interface components {
     };
     /** @description What a request is made of; for the interface document. */
     MeasurementsRequest: {
-      /** @description The files, at least one. */
-      file: string[];
+      /** @description The files, at least one, unless a stored part is named. */
+      file?: string[] | null;
       /** @description A job, as JSON. */
       job?: string | null;
       /** @description Options, as JSON. */
       options?: string | null;
+      /**
+       * @description A part of the store in place of files: its number, or the beginning of its digest. What was stated when it was stored holds, unless the
+       *     options state something.
+       */
+      part?: string | null;
     };
     /** @description A method beside others. */
     MethodResult: {
@@ -4773,6 +4811,11 @@ export interface components {
       digest: string;
       /** @description Number of the drawing. */
       drawing: string | null;
+      /**
+       * @description Whether its files are in the store, so that more can be made of it: the stock of a blank. Parts of earlier imports have evaluated
+       *     values only.
+       */
+      has_files: boolean;
       /** @description Measuring machine. */
       machine: string | null;
       /** @description Number or name of the part. */
@@ -5693,7 +5736,8 @@ export interface components {
       | components["schemas"]["MillingResult"]
       | components["schemas"]["SkivingResult"]
       | components["schemas"]["GearInspectionResult"]
-      | components["schemas"]["InspectionSeriesResult"];
+      | components["schemas"]["InspectionSeriesResult"]
+      | components["schemas"]["BlankStockResult"];
     /** @description A part of the root under rays on its drawn section; > 0 stock, null where no ray is met. */
     RootDeviationResult: {
       /**
@@ -6560,6 +6604,26 @@ export interface components {
       left: number[][];
       /** @description Value of the right flank. */
       right: number[][];
+    };
+    /** @description One value for each flank. */
+    Sides7: {
+      /** @description Value of the left flank. */
+      left: [number, number, number];
+      /** @description Value of the right flank. */
+      right: [number, number, number];
+    };
+    /** @description One value for each flank. */
+    Sides8: {
+      /**
+       * Format: uint
+       * @description Value of the left flank.
+       */
+      left: number;
+      /**
+       * Format: uint
+       * @description Value of the right flank.
+       */
+      right: number;
     };
     /** @description Signs of helix slopes. */
     Signs: {

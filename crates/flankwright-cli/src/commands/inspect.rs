@@ -3,15 +3,17 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use flankwright::exchange::{AnyJob, Diagnostic, Job, Problem, ProcessJob, SkivingJob};
+use flankwright::exchange::{AnyJob, Diagnostic, Job, LoadedJob, Problem, ProcessJob, SkivingJob};
 use flankwright::workflow::inspection::SheetOptions;
 use flankwright::workflow::skiving::inspect_skiving;
 use flankwright::workflow::{Task, TaskOutcome};
+use flankwright_store::StoreAddress;
 
 use super::measured_gear::Asked;
 use super::page_language::LanguageArguments;
 use super::statements::StatementArguments;
-use super::{measured_gear, outcome};
+use super::store::place::failed;
+use super::{blank, measured_gear, outcome};
 use crate::common_arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -25,7 +27,8 @@ use crate::progress::Bars;
     flankwright inspect examples/inspection/measured.csv --job examples/inspection/measured.toml\n  \
     flankwright inspect --job examples/inspection/closed-loop.toml\n  \
     flankwright inspect examples/skiving/readings.csv --job examples/skiving/measured-ring.toml\n  \
-    flankwright inspect examples/inspection/blank.csv --job examples/cycles/measured-blank.toml --blank\n\n\
+    flankwright inspect examples/inspection/blank.csv --job examples/cycles/measured-blank.toml --blank\n  \
+    flankwright inspect --part 17 --job ground.toml --blank --store shop.sqlite\n\n\
     A gear: .mka or .mew (each finds the other beside it), .rexs, .rexsj, .rexsz, or .csv with the columns kind, tooth, flank, position, \
     abscissa, f_um (traces) or tooth, flank, w_mm, z_mm, f_um (fields). A folder: every measurement in it, with statistics, trends and \
     capability. With a job of generating grinding: what is systematic, which settings correct it, and the corrected job; without a file, \
@@ -37,7 +40,7 @@ use crate::progress::Bars;
     profile will leave its tolerance.")]
 pub struct InspectArguments {
     /// The measurement, or a folder of measurements
-    #[arg(value_name = "FILE", required_unless_present = "job")]
+    #[arg(value_name = "FILE", required_unless_present = "job", group = "measured")]
     pub file: Option<PathBuf>,
     /// The job (TOML or JSON) that tells what was made or measured; `-` reads standard input
     #[arg(long, value_name = "JOB")]
@@ -47,8 +50,14 @@ pub struct InspectArguments {
     pub class: Option<i32>,
     /// The measured gear is the blank before grinding: writes the stock that it has over the gear of the job, tooth by tooth, as stock.csv for
     /// the key `stock.map`
-    #[arg(long, requires = "job", requires = "file", conflicts_with = "class")]
+    #[arg(long, requires = "job", requires = "measured", conflicts_with = "class")]
     pub blank: bool,
+    /// A blank of the store in place of a file: the number of the part, or the beginning of its digest
+    #[arg(long, value_name = "PART", group = "measured", requires = "blank")]
+    pub part: Option<String>,
+    /// The store of that part: a path, sqlite:PATH or postgres://...; default FLANKWRIGHT_STORE, else a file among the user's data
+    #[arg(long, value_name = "ADDRESS", requires = "part")]
+    pub store: Option<String>,
     /// Helix traces of sheets with the top of the measuring machine upwards instead of the datum face downwards
     #[arg(long)]
     pub top_up: bool,
@@ -79,7 +88,14 @@ impl InspectArguments {
 pub fn run(arguments: &InspectArguments) -> Result<Exit, Failure> {
     let (file, asked) = (arguments.file.as_deref(), arguments.asked());
     match (file, &arguments.job) {
-        (Some(file), Some(job)) if arguments.blank => of_blank(&output::load_any_job(job)?, file, &asked),
+        (Some(file), Some(job)) if arguments.blank => {
+            blank::of_file(grinding(&output::load_any_job(job)?)?, file, &asked)
+        }
+        (None, Some(job)) if arguments.blank => {
+            let part = arguments.part.as_deref().unwrap_or_default();
+            let store = StoreAddress::chosen(arguments.store.as_deref()).map_err(failed)?;
+            blank::of_part(grinding(&output::load_any_job(job)?)?, part, &store, &asked)
+        }
         (Some(folder), None) if folder.is_dir() => measured_gear::series(folder, asked),
         (Some(file), None) => measured_gear::alone(file, &asked),
         (_, Some(job)) => for_job(&output::load_any_job(job)?, file, &asked),
@@ -92,7 +108,7 @@ fn for_job(job: &AnyJob, file: Option<&Path>, asked: &Asked<'_>) -> Result<Exit,
         nothing_stated(job, asked)?;
         return of_tool(job, file, asked);
     }
-    let Some(loaded) = job.of::<Job>() else { return Err(other_process(job)) };
+    let loaded = grinding(job)?;
     match file {
         Some(file) => measured_gear::for_job(file, loaded, asked),
         None => {
@@ -102,11 +118,9 @@ fn for_job(job: &AnyJob, file: Option<&Path>, asked: &Asked<'_>) -> Result<Exit,
     }
 }
 
-fn of_blank(job: &AnyJob, file: &Path, asked: &Asked<'_>) -> Result<Exit, Failure> {
-    match job.of::<Job>() {
-        Some(loaded) => measured_gear::blank(file, loaded, asked),
-        None => Err(other_process(job)),
-    }
+/// The job by which gears are ground.
+fn grinding(job: &AnyJob) -> Result<&LoadedJob, Failure> {
+    job.of::<Job>().ok_or_else(|| other_process(job))
 }
 
 /// Statements belong to files of measuring machines.

@@ -10,8 +10,8 @@ use flankwright::workflow::inspection::series::{
     write_inspection_series,
 };
 use flankwright::workflow::inspection::{
-    GearInspection, SheetOptions, Statements, blank_of_file, blank_summary, inspect_for_job, inspect_gear,
-    inspect_simulated, write_blank, write_gear_inspection,
+    GearInspection, SheetOptions, Statements, inspect_for_job, inspect_gear, inspect_simulated,
+    write_gear_inspection,
 };
 
 use super::outcome::{ROWS, conclude, unwritten};
@@ -80,25 +80,6 @@ pub fn simulated(loaded: &LoadedJob, asked: &Asked<'_>) -> Result<Exit, Failure>
     let found = found.map_err(|failure| Failure::of_run(&loaded.document, failure))?;
     let directory = loaded.beside(&format!("{}.inspected", loaded.job.job.name));
     deliver(found, asked, &directory)
-}
-
-/// Writes the stock of a measured blank as a table for the job.
-///
-/// # Errors
-/// As [`for_job`]; a measurement that does not tell how thick the teeth are.
-pub fn blank(file: &Path, loaded: &LoadedJob, asked: &Asked<'_>) -> Result<Exit, Failure> {
-    let found = blank_of_file(loaded, file, &asked.statements)
-        .map_err(|failure| Failure::of_job_or_file(&loaded.document, failure))?;
-    let beside = beside(file);
-    let directory = asked.common.output.as_deref().unwrap_or(&beside);
-    let written = write_blank(&found, directory).map_err(unwritten)?;
-    if asked.common.json {
-        output::print_json(&found.result)?;
-    } else if !asked.common.quiet {
-        let table = written.first().map_or(directory, PathBuf::as_path);
-        output::print(&blank_summary(&found, table))?;
-    }
-    Ok(Exit::Done)
 }
 
 /// `part.mka.inspected/` beside `part.mka`; of a folder that has no name here, such as `.`, by its real name.

@@ -1,5 +1,6 @@
 //! The commands, one a file: arguments and what they print.
 
+mod blank;
 pub mod check;
 pub mod convert;
 pub mod explore;

@@ -1,6 +1,7 @@
 //! The command as its users meet it.
 
 mod bad_input;
+mod blanks;
 mod catalogue;
 mod command;
 mod commands;
@@ -17,6 +18,7 @@ mod milling;
 mod milling_refusals;
 mod planning;
 mod programs;
+mod rexs;
 mod robustness;
 mod serve;
 mod shifts;

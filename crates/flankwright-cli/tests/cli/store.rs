@@ -12,7 +12,7 @@ use tempfile::TempDir;
 use crate::command::{Run, repository, run};
 
 #[path = "../../../flankwright-store/tests/store/made_file.rs"]
-mod made_file;
+pub mod made_file;
 
 use made_file::mka;
 

@@ -11,6 +11,7 @@ otherwise.
 """
 
 from . import sweep
+from ._blank import BlankStock, FlankStock, blank_stock
 from ._bodies import Gear, Modification, Worm
 from ._core import VERSION as __version__
 from ._dressing import DressedWorm, Dresser, Meridian
@@ -37,11 +38,13 @@ from ._tasks import (
 
 __all__ = [
     "BadInput",
+    "BlankStock",
     "CutterPath",
     "Derived",
     "DressedWorm",
     "Dresser",
     "Evaluation",
+    "FlankStock",
     "FlankValues",
     "Flanks",
     "FlankwrightError",
@@ -64,6 +67,7 @@ __all__ = [
     "Tracks",
     "Worm",
     "__version__",
+    "blank_stock",
     "explore",
     "inspect",
     "plan",

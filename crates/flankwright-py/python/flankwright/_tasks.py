@@ -63,6 +63,7 @@ def inspect(
     helix_slope_over: Literal["face-width", "range"] | None = None,
     profile_slope_over: Literal["face-width", "range"] | None = None,
     tolerance_class: int | None = None,
+    language: Literal["en", "de"] | None = None,
     progress: Progress | None = None,
 ) -> Result:
     """Evaluates a measurement: alone, against the job by which the gear was ground, or a folder of them as a series; without a file, the
@@ -77,6 +78,7 @@ def inspect(
         helix_slope_over: The length to which helix slopes refer: the face width, or the evaluated range.
         profile_slope_over: The length to which profile slopes refer.
         tolerance_class: Class of ISO 1328-1 that the gear, or every gear of a folder, has to reach.
+        language: Language of report, sheets and series that :meth:`Result.write` makes; without it that of the job, else English.
         progress: Called with the progress.
 
     What a file does not tell (the end from which it was measured, signs and lengths of slopes, the face) is not guessed: it is asked for.
@@ -95,13 +97,15 @@ def inspect(
             raise TypeError("inspect takes a file, a job that simulates its measurement, or both")
         if stated != (False, None, None, None, None):
             raise TypeError("there is no file of which something could be stated: leave the statements out, or give the file")
-        return Result(_core.run("inspect", as_job(job)._core, progress))
+        told = as_job(job) if language is None else as_job(job).replace({"output.language": language})
+        return Result(_core.run("inspect", told._core, progress))
     path = Path(file)
     if path.is_dir():
         if job is not None:
             raise TypeError("a folder is evaluated without a job: give the file of one gear, or leave the job out")
-        return Result(_core.inspect_series(path, stated, tolerance_class))
-    return Result(_core.inspect(path, None if job is None else as_job(job)._core, stated, tolerance_class, progress))
+        return Result(_core.inspect_series(path, stated, tolerance_class, language))
+    core = None if job is None else as_job(job)._core
+    return Result(_core.inspect(path, core, stated, tolerance_class, language, progress))
 
 
 class Preview:

@@ -57,9 +57,12 @@ impl Refused {
 
 impl From<StoreError> for Refused {
     fn from(error: StoreError) -> Self {
+        if let StoreError::InvalidRecord(finding) = &error {
+            return Self::bad(Failure::of_finding(finding));
+        }
         // A filter that is wrong is the client's fault, everything else that of the place where the store is.
         let status = match &error {
-            StoreError::Contradiction(_) | StoreError::InvalidRecord(_) => StatusCode::UNPROCESSABLE_ENTITY,
+            StoreError::Contradiction(_) => StatusCode::UNPROCESSABLE_ENTITY,
             _ => StatusCode::SERVICE_UNAVAILABLE,
         };
         Self::with(status, error.code(), error.to_string(), &error.way_out())

@@ -1,4 +1,4 @@
-//! Uploaded measurements: files of measuring machines, evaluated alone, as a series, or against a job.
+//! Uploaded measurements: files of measuring machines, evaluated alone, as a series, or against a job; in their place a part of the store.
 
 use std::sync::Arc;
 
@@ -7,7 +7,7 @@ use axum::extract::State;
 use axum::extract::multipart::{Field, Multipart, MultipartRejection};
 use axum::http::StatusCode;
 use flankwright::workflow::Task;
-use flankwright_store::RunFile;
+use flankwright_store::{RunFile, StoredMeasurement};
 use serde::de::DeserializeOwned;
 
 use super::error::{Answer, Refused};
@@ -21,9 +21,12 @@ use crate::wire::{Failure, Finding, InspectOptions, Job, Request, RunBegun, wron
 #[derive(utoipa::ToSchema)]
 #[expect(dead_code, reason = "describes the parts of a multipart body")]
 pub struct MeasurementsRequest {
-    /// The files, at least one.
-    #[schema(value_type = Vec<String>, format = Binary)]
+    /// The files, at least one, unless a stored part is named.
+    #[schema(value_type = Option<Vec<String>>, format = Binary)]
     file: Vec<Vec<u8>>,
+    /// A part of the store in place of files: its number, or the beginning of its digest. What was stated when it was stored holds, unless the
+    /// options state something.
+    part: Option<String>,
     /// A job, as JSON.
     job: Option<String>,
     /// Options, as JSON.
@@ -45,7 +48,7 @@ pub async fn begin(
     // As many as the memory holds; whoever comes late tries again.
     let _room = app.uploads.try_acquire().map_err(|_| Refused::busy("others hand in measurements"))?;
     let mut parts = parts?;
-    let TakenIn { files, job, options } = match TakenIn::all_of(&mut parts).await {
+    let TakenIn { mut files, part, job, mut options } = match TakenIn::all_of(&mut parts).await {
         Ok(taken_in) => taken_in,
         Err(refused) => {
             // A browser listens only when everything is sent.
@@ -53,15 +56,29 @@ pub async fn begin(
             return Err(refused);
         }
     };
+    if let Some(part) = part {
+        if !files.is_empty() {
+            return Err(wrong("part", "there are both a stored part and files", "send one of them"));
+        }
+        let StoredMeasurement { content, .. } = app.store.measurement(&part).await?;
+        let stored = app.store.files_of(&content)?;
+        files = stored.into_iter().map(|file| RunFile { name: file.name, bytes: file.bytes }).collect();
+        // The run holds all that it needs: what becomes of the part later does not matter to it.
+        options = Some(options.unwrap_or_default().with_stated(content.statements()));
+    }
     if files.is_empty() {
         return Err(wrong(
             "file",
             "there is no measurement",
-            "send at least one file of a measuring machine",
+            "send at least one file of a measuring machine, or name a part of the store",
         ));
     }
     if let Some(Err((key, allowed))) = options.as_ref().map(InspectOptions::taken) {
         return Err(Refused::bad(wrong_option(key, allowed)));
+    }
+    if job.is_none() && options.as_ref().is_some_and(|options| options.blank) {
+        let message = "the stock of a blank is that over the gear of a job";
+        return Err(wrong("job", message, "send the job by which the gear is going to be ground"));
     }
     job.as_ref().map_or(Ok(()), fit)?;
     let first = files[0].name.clone();
@@ -73,6 +90,7 @@ pub async fn begin(
 #[derive(Default)]
 struct TakenIn {
     files: Vec<RunFile>,
+    part: Option<String>,
     job: Option<Job>,
     options: Option<InspectOptions>,
 }
@@ -92,11 +110,16 @@ impl TakenIn {
                 let file = measured(part, &self.files).await?;
                 self.files.push(file);
             }
+            Some("part") => {
+                let text = part.text().await?;
+                let named = Some(text.trim().to_owned()).filter(|text| !text.is_empty());
+                once("part", &mut self.part, named)?;
+            }
             Some("job") => once("job", &mut self.job, json("job", part).await?)?,
             Some("options") => once("options", &mut self.options, json("options", part).await?)?,
             other => {
                 let message = format!("there is no part `{}`", other.unwrap_or_default());
-                return Err(wrong("part", message, "send file, job, options"));
+                return Err(wrong("part", message, "send file or part, job, options"));
             }
         }
         Ok(())

@@ -154,6 +154,11 @@ impl Failure {
         Self::told(error, &|text| shelf.tell(text))
     }
 
+    /// A finding about a request, which names no file of the server.
+    pub fn of_finding(finding: &Diagnostic) -> Self {
+        Self::single(Finding::of(finding, None, &str::to_owned))
+    }
+
     /// Everything that is wrong with a text that names no files.
     pub fn of_text(error: &JobError) -> Self {
         Self::told(error, &str::to_owned)

@@ -1,15 +1,12 @@
 //! Runs.
 
-use flankwright::exchange::inspection::{DatumFace, SlopeReference};
-use flankwright::geometry::Sides;
 use flankwright::workflow::Task;
-use flankwright::workflow::inspection::{SheetOptions, Statements};
 use flankwright_store as store;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use utoipa::ToSchema;
 
-use super::{Failure, Job};
+use super::{Failure, InspectOptions, Job};
 use crate::openapi::library;
 
 /// A run that is wanted.
@@ -21,83 +18,6 @@ pub struct NewRunRequest {
     pub kind: Task,
     /// The job.
     pub job: Job,
-}
-
-/// Signs of helix slopes.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Signs {
-    /// +1 or -1.
-    pub left: i8,
-    /// +1 or -1.
-    pub right: i8,
-}
-
-/// What the files of a measurement do not tell, and how its sheets look.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
-#[serde(deny_unknown_fields, default)]
-pub struct InspectOptions {
-    /// Class of ISO 1328-1 whose tolerances are the limits, 1 to 11.
-    pub class: Option<i32>,
-    /// Helix traces with the top of the measuring machine upwards.
-    pub top_up: bool,
-    /// The gear was measured from the other end.
-    pub from_other_end: bool,
-    /// Signs of helix slopes as the file names the flanks.
-    pub slope_signs: Option<Signs>,
-    /// `+z` or `-z`.
-    pub datum_face: Option<String>,
-    /// `face-width` or `range`.
-    pub helix_slope_over: Option<String>,
-    /// `face-width` or `range`.
-    pub profile_slope_over: Option<String>,
-    /// Puts the parts into the store.
-    pub keep: bool,
-    /// Their series there.
-    pub series: Option<String>,
-}
-
-impl InspectOptions {
-    /// As the workflow takes them.
-    ///
-    /// # Errors
-    /// What is wrong: the key and what it takes.
-    pub fn taken(&self) -> Result<(SheetOptions, Statements), (&'static str, &'static str)> {
-        if self.class.is_some_and(|class| !(1..=11).contains(&class)) {
-            return Err(("class", "1 to 11"));
-        }
-        if self.series.as_ref().is_some_and(|series| series.chars().any(char::is_control)) {
-            return Err(("series", "a name without control characters"));
-        }
-        let over = |key, of: &Option<String>| match of.as_deref() {
-            None => Ok(None),
-            Some("face-width") => Ok(Some(SlopeReference::FaceWidth)),
-            Some("range") => Ok(Some(SlopeReference::Range)),
-            Some(_) => Err((key, "\"face-width\" or \"range\"")),
-        };
-        let datum_face = match self.datum_face.as_deref() {
-            None => None,
-            Some("+z") => Some(DatumFace::PlusZ),
-            Some("-z") => Some(DatumFace::MinusZ),
-            Some(_) => return Err(("datum_face", "\"+z\" or \"-z\"")),
-        };
-        let slope_signs = match self.slope_signs {
-            Some(Signs { left: -1 | 1, right: -1 | 1 }) | None => self
-                .slope_signs
-                .map(|signs| Sides { left: f64::from(signs.left), right: f64::from(signs.right) }),
-            Some(_) => return Err(("slope_signs", "1 or -1 for each flank")),
-        };
-        let statements = Statements {
-            other_end: self.from_other_end,
-            slope_signs,
-            datum_face,
-            helix_slope_over: over("helix_slope_over", &self.helix_slope_over)?,
-            profile_slope_over: over("profile_slope_over", &self.profile_slope_over)?,
-        };
-        let sheet =
-            SheetOptions { tolerance_class: self.class, top_up: self.top_up, ..SheetOptions::default() };
-        Ok((sheet, statements))
-    }
 }
 
 /// What a run was asked, as the store keeps it. Measurements are files that were uploaded with it.

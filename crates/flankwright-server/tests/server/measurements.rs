@@ -124,3 +124,89 @@ fn what_is_no_measurement_is_refused_by_name() {
         assert_eq!((&run["state"], &run["failure"]["exit"]), (&json!("failed"), &json!(2)), "{name}: {run}");
     }
 }
+
+/// The job of the example as the server lists it, without the table that was made of its blank.
+fn job_of_the_blank(served: &Served) -> Vec<u8> {
+    let job = served.example("cycles/measured-blank").to_string();
+    assert!(job.contains("measured-blank-stock.csv"), "{job}");
+    job.into_bytes()
+}
+
+#[test]
+fn the_stock_of_a_blank_is_a_table_for_its_job() {
+    let served = Served::new();
+    let job = job_of_the_blank(&served);
+    let blank = include_bytes!("../../../../examples/inspection/blank.csv");
+    let options = json!({ "blank": true, "language": "de" }).to_string();
+    let parts = [("file", "blank.csv", &blank[..]), ("job", "", &job), ("options", "", options.as_bytes())];
+    let answer = served.hand_in(&parts);
+    assert_eq!(answer.status, 202, "{}", answer.text());
+    let run = served.ended(answer.json()["id"].as_i64().unwrap());
+    assert_eq!((&run["state"], &run["document"]["job"]), (&json!("done"), &json!("measured-blank")), "{run}");
+    assert_eq!(run["document"]["level_from"], "stock.allowance_um");
+    let table = served.get(&format!("/api/runs/{}/files/stock.csv?download=true", run["id"])).text();
+    // The table that the example has beside it was made in the same way.
+    let known = include_str!("../../../../examples/cycles/measured-blank-stock.csv");
+    assert_eq!(table, known);
+    // Without a job there is no finished gear; a class judges no stock.
+    let refused = |parts: &[(&str, &str, &[u8])], code: &str, field: &str| {
+        let answer = served.hand_in(parts);
+        let told = answer.json();
+        let first = &told["errors"][0];
+        assert_eq!(
+            (answer.status, &first["code"], &first["field"]),
+            (422, &json!(code), &json!(field)),
+            "{told}"
+        );
+    };
+    refused(&[parts[0], parts[2]], "invalid-request", "job");
+    let judged = json!({ "blank": true, "class": 6 }).to_string();
+    refused(&[parts[0], parts[1], ("options", "", judged.as_bytes())], "invalid-option", "class");
+    let french = json!({ "language": "fr" }).to_string();
+    refused(&[parts[0], ("options", "", french.as_bytes())], "invalid-option", "language");
+}
+
+#[test]
+fn a_stored_part_takes_the_place_of_its_file() {
+    let served = Served::new();
+    let file = include_bytes!("../../../../fuzz/seeds/klingelnberg/curves.mka");
+    let keep = json!({ "keep": true, "from_other_end": true }).to_string();
+    let run = served.hand_in(&[("file", "part-1.mka", &file[..]), ("options", "", keep.as_bytes())]);
+    served.ended(run.json()["id"].as_i64().unwrap());
+    let kept = served.get("/api/parts").json()[0].clone();
+    assert_eq!(kept["has_files"], json!(true), "{kept}");
+    let digest = kept["digest"].as_str().unwrap();
+    // Evaluated again as it was stated then, in German.
+    let german = json!({ "language": "de" }).to_string();
+    let answer =
+        served.hand_in(&[("part", "", &digest.as_bytes()[..12]), ("options", "", german.as_bytes())]);
+    assert_eq!(answer.status, 202, "{}", answer.text());
+    let run = served.ended(answer.json()["id"].as_i64().unwrap());
+    assert_eq!((&run["state"], &run["measurements"]), (&json!("done"), &json!(["part-1.mka"])), "{run}");
+    assert_eq!(run["document"]["stated"], json!(["measured from the other end"]));
+    let report = served.get(&format!("/api/runs/{}/files/report.html", run["id"])).text();
+    assert!(report.contains("<html lang=\"de\""), "{}", &report[..200]);
+    // As a blank: the gear of the job is another one, which the run tells.
+    let job = job_of_the_blank(&served);
+    let blank = json!({ "blank": true }).to_string();
+    let parts = [("part", "", digest.as_bytes()), ("job", "", &job[..]), ("options", "", blank.as_bytes())];
+    let run = served.ended(served.hand_in(&parts).json()["id"].as_i64().unwrap());
+    assert_eq!(
+        (&run["state"], &run["failure"]["errors"][0]["code"]),
+        (&json!("failed"), &json!("other-gear")),
+        "{run}"
+    );
+    let refused = |parts: &[(&str, &str, &[u8])], code: &str| {
+        let answer = served.hand_in(parts);
+        let told = answer.json();
+        let first = &told["errors"][0];
+        assert_eq!(
+            (answer.status, &first["code"], &first["field"]),
+            (422, &json!(code), &json!("part")),
+            "{told}"
+        );
+        assert!(first["way_out"].is_string());
+    };
+    refused(&[("part", "", b"none")], "unknown-value");
+    refused(&[("part", "", digest.as_bytes()), ("file", "part-1.mka", &file[..])], "invalid-request");
+}

@@ -1,4 +1,4 @@
-//! Which files make one part, and the digest of their bytes.
+//! Which files make one part, the digest of their bytes, and the bytes themselves.
 
 use std::collections::BTreeSet;
 use std::fs::File;
@@ -7,10 +7,13 @@ use std::path::{Path, PathBuf};
 
 use flankwright::exchange::rexs::MAXIMUM_FILE_BYTES;
 use flankwright::exchange::{Diagnostic, open_regular};
-use flankwright::workflow::inspection::{LeftOutFile, MeasuredFolder, files_of_measurement, measurements_in};
+use flankwright::workflow::inspection::{
+    LeftOutFile, MeasuredFolder, MeasurementFile, Statements, files_of_measurement, measurements_in,
+};
 
 use super::refused_file::RefusedFile;
-use crate::digest::{digest_of, digest_of_reader};
+use crate::content::PartContent;
+use crate::digest::{digest_of_reader, joined};
 
 /// What paths name.
 #[derive(Default)]
@@ -79,5 +82,36 @@ pub(super) fn digest_of_files(files: &[PathBuf]) -> Result<String, Diagnostic> {
         open_regular(path).and_then(bounded).map_err(|error| unreadable(path, &error))
     };
     let digests = files.iter().map(digest).collect::<Result<Vec<String>, _>>()?;
-    Ok(if let [one] = &digests[..] { one.clone() } else { digest_of(digests.join("\n").as_bytes()) })
+    Ok(joined(&digests.iter().map(String::as_str).collect::<Vec<_>>()))
+}
+
+/// The files of a part as they go into the store.
+///
+/// # Errors
+/// A file that cannot be read, or that is not any more what `digest` was made of.
+pub(super) fn content_of_files(
+    files: &[PathBuf],
+    digest: &str,
+    statements: &Statements,
+) -> Result<PartContent, Diagnostic> {
+    let read = |path: &PathBuf| {
+        let whole = |file: File| {
+            let mut bytes = Vec::new();
+            file.take(MAXIMUM_FILE_BYTES as u64 + 1).read_to_end(&mut bytes).map(|_| bytes)
+        };
+        let bytes = open_regular(path).and_then(whole).map_err(|error| unreadable(path, &error))?;
+        let name = path.file_name().map_or_else(|| "part".into(), |name| name.to_string_lossy().into_owned());
+        Ok(MeasurementFile { name, bytes })
+    };
+    let files = files.iter().map(read).collect::<Result<Vec<MeasurementFile>, Diagnostic>>()?;
+    let content = PartContent::new(&files, statements.clone());
+    if content.digest() == digest {
+        return Ok(content);
+    }
+    let first = files.first().map_or("", |file| file.name.as_str());
+    Err(Diagnostic::with_code("file-changed", format!("{first} was changed while it was imported"))
+        .field("FILE")
+        .value(first)
+        .allowed("a file that stays as it is")
+        .way_out("import it again when the measuring machine has finished it"))
 }

@@ -9,13 +9,14 @@ use flankwright::workflow::{JobFailure, RunFailure};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Serialize;
+use serde_json::json;
 
-use super::files::{FoundParts, digest_of_files, parts_of};
+use super::files::{FoundParts, content_of_files, digest_of_files, parts_of};
 use super::refused_file::RefusedFile;
 use crate::blocking::Store;
 use crate::check;
 use crate::error::StoreError;
-use crate::records::{PartRecord, PartSummary};
+use crate::records::{MeasuredPart, PartRecord, PartSummary};
 
 /// What holds for all files of an import.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -39,6 +40,8 @@ pub struct MeasurementReport {
     pub replaced: usize,
     /// Parts whose files have the content of a part that is there, or of one before them.
     pub known: Vec<KnownPart>,
+    /// Parts among the known ones whose files were put beside their values; earlier imports had not kept them.
+    pub completed: usize,
     /// What could not be imported, and why.
     pub refused: Vec<RefusedFile>,
     /// What lies beside measurements in folders.
@@ -58,7 +61,7 @@ pub struct KnownPart {
 /// What became of one part before it is stored.
 enum Looked {
     Refused(RefusedFile),
-    New(Box<PartRecord>, String),
+    New(Box<MeasuredPart>, String),
 }
 
 impl Store {
@@ -93,40 +96,64 @@ impl Store {
         let mut unknown: Vec<(&Vec<PathBuf>, String)> = Vec::with_capacity(set.len());
         let digests: Vec<Result<String, Diagnostic>> =
             set.par_iter().map(|files| digest_of_files(files)).collect();
-        let there = self.known_parts(&digests.iter().flatten().map(String::as_str).collect::<Vec<_>>())?;
+        let found: Vec<&str> = digests.iter().flatten().map(String::as_str).collect();
+        let there = self.known_parts(&found)?;
+        let bare = self.parts_without_content(&found)?;
         for (files, digest) in set.iter().zip(digests) {
             match digest {
                 Err(finding) => report.refused.push(RefusedFile::new(&files[0], finding)),
                 Ok(digest) if there.contains(&digest) && !settings.again => {
-                    report.known.push(known(files, digest))
+                    if bare.contains(&digest) {
+                        report.completed += usize::from(self.complete(files, &digest, settings)?);
+                    }
+                    report.known.push(known(files, digest));
                 }
                 Ok(digest) => unknown.push((files, digest)),
             }
         }
         let looked: Vec<Looked> =
-            unknown.into_par_iter().map(|(files, digest)| look(&files[0], digest, settings)).collect();
-        let (mut records, mut names) = (Vec::new(), Vec::new());
+            unknown.into_par_iter().map(|(files, digest)| look(files, digest, settings)).collect();
+        let (mut parts, mut names) = (Vec::new(), Vec::new());
         for one in looked {
             match one {
                 Looked::Refused(file) => report.refused.push(file),
-                Looked::New(record, file) => {
-                    records.push(*record);
+                Looked::New(part, file) => {
+                    parts.push(*part);
                     names.push(file);
                 }
             }
         }
-        let stored =
-            if settings.again { self.replace_parts(&records)? } else { self.import_parts(&records)? };
+        let stored = self.import_measured(&parts, settings.again)?;
         report.replaced += stored.replaced;
-        for (place, (record, file)) in records.into_iter().zip(names).enumerate() {
+        for (place, (part, file)) in parts.into_iter().zip(names).enumerate() {
             if stored.known.contains(&place) {
                 // The same bytes twice in this set, or another program was faster.
-                report.known.push(KnownPart { file, digest: record.digest });
+                report.known.push(KnownPart { file, digest: part.record.digest });
             } else {
-                report.imported.push(record.into_summary());
+                report.imported.push(part.into_summary());
             }
         }
         Ok(())
+    }
+
+    /// Puts the files of a part beside its values. What is stated about them now must be what the part was evaluated with: with anything
+    /// else the stored values would not be those of the files.
+    fn complete(
+        &self,
+        files: &[PathBuf],
+        digest: &str,
+        settings: &ImportSettings,
+    ) -> Result<bool, StoreError> {
+        let Some(part) = self.part(digest)? else { return Ok(false) };
+        let stated = part.document.get("stated").cloned().unwrap_or_else(|| json!([]));
+        if stated != json!(settings.statements.words()) {
+            return Ok(false);
+        }
+        match content_of_files(files, digest, &settings.statements) {
+            Ok(content) => self.complete_part(&content),
+            // It is known all the same; the next import tries again.
+            Err(_) => Ok(false),
+        }
     }
 }
 
@@ -134,23 +161,25 @@ fn known(files: &[PathBuf], digest: String) -> KnownPart {
     KnownPart { file: files[0].display().to_string(), digest }
 }
 
-fn look(file: &Path, digest: String, settings: &ImportSettings) -> Looked {
-    let record = inspect_gear(file, &settings.statements, None).map_err(first_finding).and_then(|found| {
+fn look(files: &[PathBuf], digest: String, settings: &ImportSettings) -> Looked {
+    let file: &Path = &files[0];
+    let part = inspect_gear(file, &settings.statements, None).map_err(first_finding).and_then(|found| {
         // Without class and job a reason says that nothing could be evaluated.
         if let Some(reason) = found.result.verdict.reason() {
             let finding = Diagnostic::with_code(reason.code, reason.text.clone());
             return Err(finding.field("FILE").value(file.display()).way_out(reason.way_out.clone()));
         }
+        let content = content_of_files(files, &digest, &settings.statements)?;
         let mut record =
             PartRecord::of_inspection(&found, digest, settings.class).map_err(|error| error.finding())?;
         if let Some(series) = &settings.series {
             record.series.clone_from(series);
         }
         check::part(0, &record)?;
-        Ok(record)
+        Ok(MeasuredPart { record, content })
     });
-    match record {
-        Ok(record) => Looked::New(Box::new(record), file.display().to_string()),
+    match part {
+        Ok(part) => Looked::New(Box::new(part), file.display().to_string()),
         Err(finding) => Looked::Refused(RefusedFile::new(file, finding)),
     }
 }

@@ -2,15 +2,24 @@
 
 use std::collections::HashMap;
 
+use super::content;
 use super::rows;
 use super::values::{self, ValueRow};
 use crate::check;
+use crate::content::PartContent;
 use crate::error::StoreError;
 use crate::pool::{Writing, on_writing};
-use crate::records::{Characteristic, PartRecord};
+use crate::records::{Characteristic, MeasuredPart, PartRecord};
 use crate::reports::ImportReport;
 use crate::store::Store;
 use crate::words::flank_word;
+
+/// A part on its way into the store.
+#[derive(Clone, Copy)]
+struct Going<'a> {
+    record: &'a PartRecord,
+    content: Option<&'a PartContent>,
+}
 
 impl Store {
     /// Parts of a set that large keep what is lost by an interruption, and what others wait for, below a second.
@@ -22,7 +31,7 @@ impl Store {
     /// # Errors
     /// `invalid-record` with the place of the part in the list; those of the database.
     pub async fn import_parts(&self, parts: &[PartRecord]) -> Result<ImportReport, StoreError> {
-        self.import_checked(parts, false).await
+        self.import_checked(&without_content(parts), false).await
     }
 
     /// As [`Store::import_parts`], but a part whose digest is there already takes the place of the stored one: the same file after another
@@ -31,20 +40,40 @@ impl Store {
     /// # Errors
     /// As [`Store::import_parts`].
     pub async fn replace_parts(&self, parts: &[PartRecord]) -> Result<ImportReport, StoreError> {
-        self.import_checked(parts, true).await
+        self.import_checked(&without_content(parts), true).await
     }
 
-    async fn import_checked(&self, parts: &[PartRecord], replace: bool) -> Result<ImportReport, StoreError> {
+    /// As [`Store::import_parts`], or with `replace` as [`Store::replace_parts`], of parts with the files that they were measured by, from
+    /// which more can be made later.
+    ///
+    /// # Errors
+    /// As there.
+    pub async fn import_measured(
+        &self,
+        parts: &[MeasuredPart],
+        replace: bool,
+    ) -> Result<ImportReport, StoreError> {
+        let parts: Vec<Going<'_>> = parts
+            .iter()
+            .map(|MeasuredPart { record, content }| Going { record, content: Some(content) })
+            .collect();
+        self.import_checked(&parts, replace).await
+    }
+
+    async fn import_checked(&self, parts: &[Going<'_>], replace: bool) -> Result<ImportReport, StoreError> {
         for (place, part) in parts.iter().enumerate() {
-            check::part(place, part)?;
+            check::part(place, part.record)?;
+            if let Some(content) = part.content {
+                check::content(&format!("parts[{place}].content"), content, &part.record.digest)?;
+            }
         }
         self.import_set(parts, replace).await.map_err(|error| self.error(error))
     }
 
-    async fn import_set(&self, parts: &[PartRecord], replace: bool) -> Result<ImportReport, sqlx::Error> {
+    async fn import_set(&self, parts: &[Going<'_>], replace: bool) -> Result<ImportReport, sqlx::Error> {
         let mut writing = self.pool.write().await?;
         let mut characteristics = Characteristics::load(&mut writing).await?;
-        let digests: Vec<&str> = parts.iter().map(|part| part.digest.as_str()).collect();
+        let digests: Vec<&str> = parts.iter().map(|part| part.record.digest.as_str()).collect();
         let mut known = rows::known_while_writing(&mut writing, &digests).await?;
         let (mut report, mut new) = (ImportReport::default(), Vec::new());
         if replace {
@@ -54,18 +83,22 @@ impl Store {
             }
         }
         for (place, part) in parts.iter().enumerate() {
-            if known.insert(part.digest.clone()) {
-                new.push(part);
+            if known.insert(part.record.digest.clone()) {
+                new.push(*part);
             } else {
                 report.known.push(place);
             }
         }
         report.added = new.len();
-        let numbers = rows::insert(&mut writing, &new).await?;
+        let records: Vec<&PartRecord> = new.iter().map(|part| part.record).collect();
+        let numbers = rows::insert(&mut writing, &records).await?;
         let mut values = Vec::new();
         for part in new {
-            let number = *numbers.get(&part.digest).ok_or(sqlx::Error::RowNotFound)?;
-            for (place, entry) in part.characteristics.iter().enumerate() {
+            let number = *numbers.get(&part.record.digest).ok_or(sqlx::Error::RowNotFound)?;
+            if let Some(content) = part.content {
+                content::insert(&mut writing, number, content).await?;
+            }
+            for (place, entry) in part.record.characteristics.iter().enumerate() {
                 values.push(ValueRow {
                     part: number,
                     characteristic: characteristics.id(&mut writing, entry.characteristic()).await?,
@@ -94,6 +127,10 @@ impl Store {
         };
         removed.await.map_err(|error| self.error(error))
     }
+}
+
+fn without_content(parts: &[PartRecord]) -> Vec<Going<'_>> {
+    parts.iter().map(|record| Going { record, content: None }).collect()
 }
 
 /// Numbers of the characteristics that the store knows.

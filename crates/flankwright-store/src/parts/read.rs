@@ -14,6 +14,16 @@ use crate::records::{CharacteristicValue, PartRecord, PartSummary, SeriesSummary
 use crate::store::Store;
 use crate::words::flank_of;
 
+const SUMMARY: &str = "SELECT p.series, p.name, p.drawing, p.measured, p.machine, p.source, p.digest, \
+    EXISTS (SELECT 1 FROM part_content c WHERE c.part = p.id) FROM part p";
+
+type SummaryRow = (String, String, Option<String>, Option<String>, Option<String>, String, String, bool);
+
+fn summary(row: SummaryRow) -> PartSummary {
+    let (series, part, drawing, date, machine, source, digest, has_files) = row;
+    PartSummary { series, part, drawing, date, machine, source, digest, has_files }
+}
+
 impl Store {
     /// All series in the order of their names.
     ///
@@ -43,27 +53,22 @@ impl Store {
     /// # Errors
     /// `invalid-filter`; those of the database.
     pub async fn parts(&self, filter: &PartFilter) -> Result<Vec<PartSummary>, StoreError> {
-        type Row = (String, String, Option<String>, Option<String>, Option<String>, String, String);
         let condition = Condition::of_parts(filter)?;
-        let text = format!(
-            "SELECT p.series, p.name, p.drawing, p.measured, p.machine, p.source, p.digest FROM part p{} \
-             ORDER BY p.measured NULLS LAST, p.id",
-            condition.text
-        );
-        let rows: Result<Vec<Row>, _> = on_pool!(&self.pool, pool => {
+        let text = format!("{SUMMARY}{} ORDER BY p.measured NULLS LAST, p.id", condition.text);
+        let rows: Result<Vec<SummaryRow>, _> = on_pool!(&self.pool, pool => {
             let query = sqlx::query_as(AssertSqlSafe(text));
             condition.values.iter().fold(query, |query, value| query.bind(value)).fetch_all(pool).await
         });
-        let summary = |(series, part, drawing, date, machine, source, digest)| PartSummary {
-            series,
-            part,
-            drawing,
-            date,
-            machine,
-            source,
-            digest,
-        };
         Ok(self.done(rows)?.into_iter().map(summary).collect())
+    }
+
+    /// What lists show of a part; `None` if there is none with this digest.
+    pub(super) async fn part_of_digest(&self, digest: &str) -> Result<Option<PartSummary>, StoreError> {
+        let text = format!("{SUMMARY} WHERE p.digest = $1");
+        let row: Result<Option<SummaryRow>, _> = on_pool!(&self.pool, pool => {
+            sqlx::query_as(AssertSqlSafe(text)).bind(digest).fetch_optional(pool).await
+        });
+        Ok(self.done(row)?.map(summary))
     }
 
     /// A part with everything; `None` if there is none with this digest.

@@ -16,9 +16,23 @@ const COLUMNS: &str = "digest, series, name, drawing, measured, machine, source,
 
 /// Which of the digests are there, seen from outside.
 pub(super) async fn known(pool: &Pool, digests: &[&str]) -> Result<HashSet<String>, sqlx::Error> {
+    known_where(pool, digests, "TRUE").await
+}
+
+/// Which of the digests are those of parts of which a condition holds.
+pub(super) async fn known_where(
+    pool: &Pool,
+    digests: &[&str],
+    condition: &str,
+) -> Result<HashSet<String>, sqlx::Error> {
+    let text = |known: &str| AssertSqlSafe(format!("{known} AND {condition}"));
     let found: Vec<String> = match pool {
-        Pool::Sqlite(pool) => sqlx::query_scalar(KNOWN_SQLITE).bind(Json(digests)).fetch_all(pool).await?,
-        Pool::Postgres(pool) => sqlx::query_scalar(KNOWN_POSTGRES).bind(digests).fetch_all(pool).await?,
+        Pool::Sqlite(pool) => {
+            sqlx::query_scalar(text(KNOWN_SQLITE)).bind(Json(digests)).fetch_all(pool).await?
+        }
+        Pool::Postgres(pool) => {
+            sqlx::query_scalar(text(KNOWN_POSTGRES)).bind(digests).fetch_all(pool).await?
+        }
     };
     Ok(found.into_iter().collect())
 }

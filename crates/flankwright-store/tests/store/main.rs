@@ -4,6 +4,7 @@
 mod addresses;
 mod catalogue;
 mod concurrent;
+mod contents;
 mod damaged;
 mod histories;
 mod killed;

@@ -19,12 +19,12 @@ fn a_newer_store_is_left_alone(place: &Place) {
     drop(place.open());
     place.run(
         "INSERT INTO flankwright._sqlx_migrations (version, description, success, checksum, execution_time) \
-         SELECT 3, 'newer', success, checksum, 0 FROM flankwright._sqlx_migrations WHERE version = 2",
+         SELECT 4, 'newer', success, checksum, 0 FROM flankwright._sqlx_migrations WHERE version = 3",
     );
     let error = Store::open(&place.address()).unwrap_err();
     let finding = error.finding();
     assert_eq!((finding.code, finding.field.as_deref()), ("newer-store", Some("store")));
-    assert!(error.to_string().contains("version 3") && error.to_string().contains("version 2"), "{error}");
+    assert!(error.to_string().contains("version 4") && error.to_string().contains("version 3"), "{error}");
     assert_eq!(Store::open_existing(&place.address()).unwrap_err().code(), "newer-store");
 }
 
@@ -40,7 +40,7 @@ fn a_store_is_opened_again(place: &Place) {
     for _ in 0..3 {
         let store = Store::open_existing(&place.address()).unwrap();
         assert_eq!(store.part(&part(1).digest).unwrap().unwrap(), part(1));
-        assert_eq!(store.health().unwrap().tables, 2);
+        assert_eq!(store.health().unwrap().tables, 3);
     }
 }
 

@@ -6,7 +6,7 @@
 use super::closed_loop::check_teeth;
 use super::drawn::DrawnGear;
 use super::evaluate::{EvaluatedGear, evaluate_inspection};
-use super::files::read_measurement;
+use super::files::{MeasurementFile, parse_measurement, read_measurement};
 use super::files_content::MeasuredFiles;
 use super::statements::Statements;
 use super::surface::measured_surface;
@@ -14,15 +14,15 @@ use foundation::geometry::{Flank, Gear, Sides};
 use foundation::numerics::{equidistant, extremes};
 use generating::GrindingSetup;
 use generating_grinding::job::LoadedJob;
-use generating_grinding::stock_file::{MeasuredStock, stock_table};
+use generating_grinding::stock_file::MeasuredStock;
 use generating_grinding::workflow::prepare::prepare;
 use job::{Diagnostic, Problem};
 use measured_files::inspection::Inspection;
 use metrology::Topography;
-use run::{JobFailure, RunFailure, WriteError, write_set};
+use run::{JobFailure, RunFailure};
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use verdict::Remark;
 
 /// Places of the table along profile and face width.
@@ -41,6 +41,10 @@ pub struct BlankStock {
 /// What a blank has on its flanks in all, normal.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BlankStockResult {
+    /// Name of the job.
+    pub job: String,
+    /// Files of the measurement.
+    pub files: Vec<String>,
     /// Least, mean and greatest of each flank; absent for a flank that was not measured.
     pub stock_um: Sides<Option<[f64; 3]>>,
     /// Teeth whose traces were measured, on each flank; the others have the mean of them.
@@ -62,13 +66,32 @@ pub fn blank_of_file(
     path: &Path,
     statements: &Statements,
 ) -> Result<BlankStock, JobFailure> {
+    blank_by(loaded, |drawn| read_measurement(path, Some(drawn), statements))
+}
+
+/// As [`blank_of_file`], of a measurement that is at hand as bytes, such as one of the store.
+///
+/// # Errors
+/// As there.
+pub fn blank_of_content(
+    loaded: &LoadedJob,
+    files: &[MeasurementFile],
+    statements: &Statements,
+) -> Result<BlankStock, JobFailure> {
+    blank_by(loaded, |drawn| parse_measurement(files, Some(drawn), statements))
+}
+
+fn blank_by(
+    loaded: &LoadedJob,
+    read: impl FnOnce(&DrawnGear) -> Result<MeasuredFiles, JobFailure>,
+) -> Result<BlankStock, JobFailure> {
     let mut plain = loaded.clone();
     // The stock that is looked for is not asked for.
     plain.job.stock = None;
     plain.job.technology = None;
     let setup = prepare(&plain)?.setup;
     let drawn = DrawnGear::of_setup(&setup)?;
-    let files = read_measurement(path, Some(&drawn), statements)?;
+    let files = read(&drawn)?;
     check_teeth(&files)?;
     drawn.is_of(&files.inspection)?;
     Ok(stock_of(loaded, &setup, &files)?)
@@ -162,6 +185,8 @@ fn stock_of(
         Some([least, all().sum::<f64>() / count, most])
     });
     let result = BlankStockResult {
+        job: loaded.job.job.name.clone(),
+        files: inspection.sources.clone(),
         stock_um,
         teeth_with_traces,
         level_from: level.from,
@@ -285,37 +310,4 @@ fn mean_of(shapes: &[(u32, Vec<f64>)]) -> Option<Vec<f64>> {
     let (_, first) = shapes.first()?;
     let share = 1.0 / shapes.len() as f64;
     Some((0..first.len()).map(|k| share * shapes.iter().map(|(_, shape)| shape[k]).sum::<f64>()).collect())
-}
-
-/// Writes the table `stock.csv` into `directory` (made if missing); returns its path.
-///
-/// # Errors
-/// [`WriteError`].
-pub fn write_blank(found: &BlankStock, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
-    let table = stock_table(&found.flanks)?;
-    write_set(directory, &[("stock.csv", table.text().as_bytes())], &[])
-}
-
-/// In words, with the keys that take it into a job.
-pub fn blank_summary(found: &BlankStock, written: &Path) -> String {
-    let mut text = String::new();
-    for (flank, stock) in found.result.stock_um.iter() {
-        let line = match stock {
-            Some([least, mean, most]) => format!(
-                "{flank} flank: stock {least:.1} to {most:.1} um, mean {mean:.1} um; traces of {} teeth\n",
-                found.result.teeth_with_traces[flank]
-            ),
-            None => format!("{flank} flank: not measured\n"),
-        };
-        text += &line;
-    }
-    text += &format!("level from {}", found.result.level_from);
-    text += if found.result.with_pitch { ", every tooth by its pitch\n" } else { "\n" };
-    for remark in &found.result.remarks {
-        text += &format!("warning: {} ({})\n", remark.text, remark.way_out);
-    }
-    text + &format!(
-        "\ninto the job, beside allowance_um as it stands there:\n[stock]\nmap = \"{}\"\n",
-        written.display()
-    )
 }

@@ -44,6 +44,7 @@ impl GearOfRexs {
         {
             gear.form_diameter = gear.form_diameter.or(own.form_diameter);
             gear.evaluation = gear.evaluation.or(own.evaluation);
+            gear.measured_over = gear.measured_over.or(own.measured_over);
             // Without a stated start the model's profile begins at its root, where there is no involute yet: the drawing knows better.
             let begins = own.evaluation.and_then(|e| e.start_diameter).or(own.form_diameter);
             if let (Some(begins), Some(evaluation)) = (begins, gear.evaluation.as_mut()) {
@@ -136,26 +137,22 @@ fn lost_keys(gear: &JobGear, document: &RexsDocument) -> Option<RexsWarning> {
     let id = *gear_ids(document).first()?;
     let (back, _) = gear_of(document, id).ok()?.0.job_gear().ok()?;
     let mut lost = Vec::new();
-    if gear.form_diameter.is_some() && back.form_diameter.is_none() {
-        lost.push("gear.form_diameter");
-    }
     if gear.evaluation.is_some() && back.evaluation.is_none() {
         lost.push("gear.evaluation");
     }
     for (key, given) in [
         (
-            "gear.allowances_um (the gear is exported in the middle between them)",
-            gear.allowances_um.is_some(),
+            "gear.allowances_um of the normal tooth thickness, for which REXS has no attribute (the gear is exported in the middle between them),",
+            gear.allowances_um.is_some() && back.allowances_um.is_none(),
         ),
         ("gear.measured_over", gear.measured_over.is_some()),
-        ("gear.tolerance_class", gear.tolerance_class.is_some()),
     ] {
         if given {
             lost.push(key);
         }
     }
-    let exported = if lost.len() == 1 { "it is" } else { "they are" };
-    let message = format!("REXS has no attribute for {}; {exported} not exported", lost.join(" and "));
+    let exported = if lost.len() == 1 { "is" } else { "are" };
+    let message = format!("{} {exported} not exported", lost.join(" and "));
     (!lost.is_empty()).then(|| RexsWarning::new(RexsWarningKind::Lost, message))
 }
 

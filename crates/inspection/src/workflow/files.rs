@@ -13,8 +13,9 @@ use foundation::numerics::extremes;
 use job::{Diagnostic, Problem, Source};
 use measured_files::inspection::{
     InspectedGear, Inspection, InspectionError, InspectionWarning, KlingelnbergFile, MeasuredTable, Trace,
-    TraceKind, WarningKind, inspection_of, parse_measured_table, read_klingelnberg,
+    TraceKind, WarningKind, inspection_of, parse_klingelnberg, parse_measured_table, read_klingelnberg,
 };
+use measured_files::rexs::{parse_rexs, read_rexs};
 use run::{JobFailure, RunFailure};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -34,6 +35,15 @@ pub fn is_measurement(path: &Path) -> bool {
     KLINGELNBERG.iter().chain(&REXS).chain([&TABLE]).any(|known| *known == ending)
 }
 
+/// A file of a measurement that is at hand as bytes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MeasurementFile {
+    /// Its name, whose ending tells the form.
+    pub name: String,
+    /// Its content.
+    pub bytes: Vec<u8>,
+}
+
 /// Reads a measurement; of a Klingelnberg part also the file beside it that holds the curves to its values, or the values to its curves.
 ///
 /// # Errors
@@ -43,24 +53,78 @@ pub fn read_measurement(
     drawn: Option<&DrawnGear>,
     statements: &Statements,
 ) -> Result<MeasuredFiles, JobFailure> {
-    let ending = ending(path);
-    if KLINGELNBERG.contains(&ending.as_str()) {
-        return Ok(statements.apply(klingelnberg(path)?));
-    }
-    if REXS.contains(&ending.as_str()) {
-        statements.check_rexs()?;
-        return Ok(statements.apply(rexs::read(path)?));
-    }
-    if ending == TABLE {
-        return Ok(statements.apply(table(path, drawn, statements)?));
-    }
-    let finding =
-        Diagnostic::new(Problem::UnknownValue, "the ending of the file tells no form of measurement")
+    let found = match Form::of(path)? {
+        Form::Klingelnberg => {
+            let paths = files_of_measurement(path);
+            let read = |path: &PathBuf| read_klingelnberg(path).map_err(|error| refused(path, &error));
+            let files = paths.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+            klingelnberg(path, &paths, &files)?
+        }
+        Form::Rexs => rexs::measured(path, read_rexs(path), statements)?,
+        Form::Table => table(path, Source::read(path)?, drawn, statements)?,
+    };
+    Ok(statements.apply(found))
+}
+
+/// What [`read_measurement`] reads, from bytes: the files of one part, of which the first tells the form.
+///
+/// # Errors
+/// As there.
+pub fn parse_measurement(
+    files: &[MeasurementFile],
+    drawn: Option<&DrawnGear>,
+    statements: &Statements,
+) -> Result<MeasuredFiles, JobFailure> {
+    let paths: Vec<PathBuf> = files.iter().map(|file| PathBuf::from(&file.name)).collect();
+    let (Some(path), Some(first)) = (paths.first(), files.first()) else {
+        let finding = Diagnostic::new(Problem::MissingKey, "the measurement has no file")
             .field("FILE")
-            .value(path.display())
-            .allowed(".mka, .mew, .rexs, .rexsj, .rexsz, .csv")
-            .way_out("give the file the ending of its form");
-    Err(RunFailure::bad_input(finding).into())
+            .value("none")
+            .allowed("one file, or curves and values of one part")
+            .way_out("name the file of the measurement");
+        return Err(RunFailure::bad_input(finding).into());
+    };
+    let found = match Form::of(path)? {
+        Form::Klingelnberg => {
+            let parse = |(path, file): (&PathBuf, &MeasurementFile)| {
+                parse_klingelnberg(&file.bytes).map_err(|error| refused(path, &error))
+            };
+            let parsed = paths.iter().zip(files).map(parse).collect::<Result<Vec<_>, _>>()?;
+            klingelnberg(path, &paths, &parsed)?
+        }
+        Form::Rexs => rexs::measured(path, parse_rexs(&first.bytes), statements)?,
+        Form::Table => table(path, Source::from_bytes(&first.name, &first.bytes)?, drawn, statements)?,
+    };
+    Ok(statements.apply(found))
+}
+
+/// The form of a file, by its ending.
+enum Form {
+    Klingelnberg,
+    Rexs,
+    Table,
+}
+
+impl Form {
+    fn of(path: &Path) -> Result<Self, RunFailure> {
+        let ending = ending(path);
+        if KLINGELNBERG.contains(&ending.as_str()) {
+            return Ok(Self::Klingelnberg);
+        }
+        if REXS.contains(&ending.as_str()) {
+            return Ok(Self::Rexs);
+        }
+        if ending == TABLE {
+            return Ok(Self::Table);
+        }
+        let finding =
+            Diagnostic::new(Problem::UnknownValue, "the ending of the file tells no form of measurement")
+                .field("FILE")
+                .value(path.display())
+                .allowed(".mka, .mew, .rexs, .rexsj, .rexsz, .csv")
+                .way_out("give the file the ending of its form");
+        Err(RunFailure::bad_input(finding))
+    }
 }
 
 fn ending(path: &Path) -> String {
@@ -139,14 +203,13 @@ pub fn measurements_in(folder: &Path) -> std::io::Result<MeasuredFolder> {
     Ok(found)
 }
 
-fn klingelnberg(path: &Path) -> Result<MeasuredFiles, RunFailure> {
-    let paths = files_of_measurement(path);
-    let files = paths
-        .iter()
-        .map(|path| read_klingelnberg(path).map_err(|error| refused(path, &error)))
-        .collect::<Result<Vec<KlingelnbergFile>, RunFailure>>()?;
+fn klingelnberg(
+    path: &Path,
+    paths: &[PathBuf],
+    files: &[KlingelnbergFile],
+) -> Result<MeasuredFiles, RunFailure> {
     let names: Vec<String> = paths.iter().map(|path| file_name(path)).collect();
-    let named: Vec<(&str, &KlingelnbergFile)> = names.iter().map(String::as_str).zip(&files).collect();
+    let named: Vec<(&str, &KlingelnbergFile)> = names.iter().map(String::as_str).zip(files).collect();
     let inspection = inspection_of(&named).map_err(|error| refused(path, &error))?;
     let not_understood = named.iter().flat_map(|(name, file)| {
         let line = |unknown: &measured_files::inspection::UnknownLine| LinesResult {
@@ -175,10 +238,10 @@ fn file_name(path: &Path) -> String {
 
 fn table(
     path: &Path,
+    source: Source,
     drawn: Option<&DrawnGear>,
     statements: &Statements,
 ) -> Result<MeasuredFiles, JobFailure> {
-    let source = Source::read(path)?;
     let cut = cut_short(&source);
     let found = parse_measured_table(source)?;
     let Some(drawn) = drawn else {

@@ -7,6 +7,7 @@ mod assemble;
 mod averaged;
 mod bands;
 pub mod blank;
+mod blank_written;
 mod characteristics;
 mod closed_loop;
 pub mod convert;
@@ -31,7 +32,8 @@ mod twist;
 pub mod write;
 
 pub use bands::Bands;
-pub use blank::{BlankStock, BlankStockResult, blank_of_file, blank_summary, write_blank};
+pub use blank::{BlankStock, BlankStockResult, blank_of_content, blank_of_file};
+pub use blank_written::{STOCK_TABLE, write_blank};
 pub(crate) use characteristics::characteristic_in_words;
 pub use characteristics::{PartCharacteristic, PartIdentity, characteristic_key, part_characteristics};
 pub use closed_loop::{
@@ -44,9 +46,11 @@ pub use evaluate::{
     Design, EvaluatedGear, EvaluatedPitch, EvaluatedTrace, JudgedValue, LeftOut, evaluate_inspection,
 };
 pub use files::{
-    LeftOutFile, MeasuredFolder, files_of_measurement, is_measurement, measurements_in, read_measurement,
+    LeftOutFile, MeasuredFolder, MeasurementFile, files_of_measurement, is_measurement, measurements_in,
+    parse_measurement, read_measurement,
 };
 pub use files_content::MeasuredFiles;
+pub use generating_grinding::stock_file::MeasuredStock;
 pub use result::{
     ArealResult, BandResult, ClassResult, GearInspectionResult, LinesResult, PitchInspectionResult,
     PrintedResult, SummaryResult, ThicknessResult, TraceInspectionResult, TwistResult,

@@ -6,10 +6,12 @@ use foundation::geometry::Sides;
 use job::{Diagnostic, Problem};
 use measured_files::inspection::{Characteristic, DatumFace, SlopeReference};
 use run::RunFailure;
+use serde::{Deserialize, Serialize};
 use verdict::Remark;
 
 /// Statements about a measurement; by default none.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
 pub struct Statements {
     /// The gear was measured from the other end: what the file calls left is right, and its heights count the other way.
     pub other_end: bool,

@@ -5,6 +5,8 @@
 pub(super) enum Form {
     /// A number, mm.
     Length,
+    /// A number, um.
+    Micrometres,
     /// A number, degree.
     Angle,
     /// A number without unit.
@@ -24,13 +26,14 @@ impl Form {
     pub fn unit(self) -> &'static str {
         match self {
             Self::Length | Self::Lengths => "mm",
+            Self::Micrometres => "mum",
             Self::Angle => "deg",
             Self::Plain | Self::Integer | Self::Boolean | Self::Word => "none",
         }
     }
 }
 
-use Form::{Angle, Boolean, Integer, Length, Lengths, Plain, Word};
+use Form::{Angle, Boolean, Integer, Length, Lengths, Micrometres, Plain, Word};
 
 /// Attributes of a type of component.
 type List = &'static [(&'static str, Form)];
@@ -42,7 +45,17 @@ const GEAR: List = &[
     ("face_width", Length),
     ("tip_diameter", Length),
     ("root_diameter", Length),
+    ("root_form_diameter", Length),
     ("datum_face_orientation", Word),
+    ("number_of_teeth_for_span_measurement", Integer),
+    ("span_measurement", Length),
+    ("lower_backlash_allowance_referenced_to_span", Micrometres),
+    ("upper_backlash_allowance_referenced_to_span", Micrometres),
+    ("diameter_of_measuring_ball_or_pin", Length),
+    ("size_over_balls", Length),
+    ("lower_backlash_allowance_balls_or_pins", Length),
+    ("upper_backlash_allowance_balls_or_pins", Length),
+    ("global_tolerance_class_iso_1328_2013", Word),
 ];
 
 const TYPES: &[(&str, List)] = &[

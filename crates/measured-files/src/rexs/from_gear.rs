@@ -7,6 +7,7 @@ use super::error::RexsError;
 use super::gear::RexsGear;
 use super::modification_write::Writer;
 use super::signs::{MATERIAL, REMOVED};
+use super::thickness::write_class;
 use super::warning::RexsWarning;
 use crate::inspection::DatumFace;
 use foundation::geometry::Flank;
@@ -89,14 +90,20 @@ fn of_gear(gear: &RexsGear) -> Draft {
         DatumFace::PlusZ => "positive",
         DatumFace::MinusZ => "negative",
     };
-    Draft::new(if gear.teeth < 0 { "ring_gear" } else { "cylindrical_gear" })
+    let draft = Draft::new(if gear.teeth < 0 { "ring_gear" } else { "cylindrical_gear" })
         .integer("number_of_teeth", gear.teeth)
         .number("normal_module", gear.normal_module_mm)
         .number("helix_angle_reference_diameter", gear.helix_angle_deg)
         .number("face_width", gear.face_width_mm)
         .optional("tip_diameter", gear.tip_diameter_mm)
         .optional("root_diameter", gear.root_diameter_mm)
-        .word("datum_face_orientation", orientation)
+        .optional("root_form_diameter", gear.form_diameter_mm)
+        .word("datum_face_orientation", orientation);
+    let draft = match &gear.thickness {
+        Some(thickness) => thickness.write(draft),
+        None => draft,
+    };
+    write_class(draft, gear.tolerance_class)
 }
 
 struct Made {

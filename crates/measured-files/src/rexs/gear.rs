@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::flank::FlankPlace;
 use super::flank_field::FlankField;
+use super::thickness::RexsThickness;
 use crate::inspection::{DatumFace, Trace};
 use foundation::geometry::{Flank, Gear, GearData, GeometryError, Sides};
 use foundation::modification::ModificationSpec;
@@ -21,14 +22,20 @@ pub struct RexsGear {
     pub normal_pressure_angle_deg: Sides<f64>,
     /// Helix angle, degree, > 0 right-handed.
     pub helix_angle_deg: f64,
-    /// Profile shift coefficient.
+    /// Profile shift coefficient, without the allowances of the thickness.
     pub profile_shift: f64,
+    /// The measure of its tooth thickness that the drawing limits.
+    pub thickness: Option<RexsThickness>,
+    /// Class of ISO 1328-1:2013 that its flanks have to reach.
+    pub tolerance_class: Option<i32>,
     /// Face width, mm.
     pub face_width_mm: f64,
     /// Tip diameter, mm.
     pub tip_diameter_mm: Option<f64>,
     /// Root diameter, mm.
     pub root_diameter_mm: Option<f64>,
+    /// Root form diameter, where the involute begins, mm.
+    pub form_diameter_mm: Option<f64>,
     /// The face that coordinates in the file count from.
     pub datum_face: DatumFace,
     /// Evaluated fields.

@@ -5,6 +5,7 @@ use serde_json::Value;
 use super::error::RexsError;
 use super::flank_field::FlankField;
 use super::gear::RexsGear;
+use super::thickness::{RexsMeasure, RexsThickness};
 use super::warning::{RexsWarning, RexsWarningKind};
 use crate::inspection::DatumFace;
 use foundation::geometry::{Flank, Sides};
@@ -27,7 +28,11 @@ impl RexsGear {
             });
         }
         let angles = gear.normal_pressure_angle_deg.sides();
-        let body = gear.body().map_err(|error| RexsError::NoGear { gear: 0, error })?;
+        // Allowances that the model states are not in its profile shift.
+        let thickness = RexsThickness::of_job(gear);
+        let nominal =
+            JobGear { allowances_um: gear.allowances_um.filter(|_| thickness.is_none()), ..gear.clone() };
+        let body = nominal.body().map_err(|error| RexsError::NoGear { gear: 0, error })?;
         let range = gear.evaluation_range();
         let field = FlankField {
             start_diameter_mm: Some(range.start_diameter),
@@ -43,9 +48,12 @@ impl RexsGear {
             normal_pressure_angle_deg: angles,
             helix_angle_deg: gear.helix_angle_deg,
             profile_shift: body.data().profile_shift,
+            thickness,
+            tolerance_class: gear.tolerance_class,
             face_width_mm: gear.face_width,
             tip_diameter_mm: Some(gear.tip_diameter),
             root_diameter_mm: Some(gear.root_diameter),
+            form_diameter_mm: gear.form_diameter,
             datum_face: DatumFace::PlusZ,
             fields: Sides::both(field),
             modifications: Sides::from_fn(of),
@@ -84,6 +92,11 @@ impl RexsGear {
             z_start: left.z_start_mm.or(right.z_start_mm),
             z_end: left.z_end_mm.or(right.z_end_mm),
         };
+        let (span, over_balls) = match self.thickness.map(|thickness| thickness.measure) {
+            Some(RexsMeasure::Span(span)) => (Some(span), None),
+            Some(RexsMeasure::OverBalls(balls)) => (None, Some(balls)),
+            None => (None, None),
+        };
         let gear = JobGear {
             teeth: self.teeth,
             normal_module: self.normal_module_mm,
@@ -93,17 +106,17 @@ impl RexsGear {
                 OneOrSides::Each { left: angles.left, right: angles.right }
             },
             helix_angle_deg: self.helix_angle_deg,
-            profile_shift: Some(self.profile_shift),
+            profile_shift: self.thickness.is_none().then_some(self.profile_shift),
             normal_tooth_thickness: None,
-            span: None,
-            over_balls: None,
-            allowances_um: None,
+            span,
+            over_balls,
+            allowances_um: self.thickness.map(|thickness| thickness.allowances_um),
             measured_over: None,
-            tolerance_class: None,
+            tolerance_class: self.tolerance_class,
             face_width: self.face_width_mm,
             tip_diameter: needed(self.tip_diameter_mm, "tip_diameter")?,
             root_diameter: needed(self.root_diameter_mm, "root_diameter")?,
-            form_diameter: None,
+            form_diameter: self.form_diameter_mm,
             cone_angle_deg: 0.0,
             evaluation: (evaluation != Evaluation::default()).then_some(evaluation),
         };

@@ -95,7 +95,7 @@ fn attribute(object: &Object<'_>, component: i32, kind: &str) -> Result<Attribut
 fn value(form: Form, map: &Map<String, Json>) -> Option<Value> {
     let number = || map.get("floating_point").or_else(|| map.get("integer"))?.as_f64();
     match form {
-        Form::Length | Form::Angle | Form::Plain => number().map(Value::Number),
+        Form::Length | Form::Micrometres | Form::Angle | Form::Plain => number().map(Value::Number),
         Form::Integer => map.get("integer")?.as_i64().map(Value::Integer),
         Form::Boolean => map.get("boolean")?.as_bool().map(Value::Boolean),
         Form::Word => {

@@ -23,6 +23,7 @@ mod modification_read;
 mod modification_write;
 pub mod package;
 mod signs;
+mod thickness;
 mod topography;
 mod values;
 pub mod warning;
@@ -37,6 +38,7 @@ pub use flank_field::FlankField;
 pub use from_gear::{Author, document_of};
 pub use gear::RexsGear;
 pub use package::{MAXIMUM_FILE_BYTES, parse_rexs, read_rexs, rexs_bytes};
+pub use thickness::{RexsMeasure, RexsThickness};
 pub use to_gear::{gear_ids, gear_of};
 pub use warning::{RexsWarning, RexsWarningKind};
 

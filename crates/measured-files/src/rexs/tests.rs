@@ -6,3 +6,4 @@ mod jobs;
 mod reading;
 mod round_trips;
 mod structure;
+mod thickness;

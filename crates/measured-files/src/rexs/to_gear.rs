@@ -3,6 +3,7 @@
 use super::document::{Component, Content, Relation, RexsDocument, Value};
 use super::error::RexsError;
 use super::gear::RexsGear;
+use super::thickness::{RexsThickness, read_class};
 use super::values::{Asked, title};
 use super::warning::{RexsWarning, RexsWarningKind};
 use super::{deviations, modification_read};
@@ -36,6 +37,7 @@ pub fn gear_of(document: &RexsDocument, id: i32) -> Result<(RexsGear, Vec<RexsWa
     let mut gear = drawing(component, flanks, &mut warnings)?;
     not_used(component, &mut warnings);
     let body = gear.body().map_err(|error| RexsError::NoGear { gear: id, error })?;
+    gear.thickness = RexsThickness::read(component, &body, &mut warnings)?;
     for flank in Flank::BOTH {
         not_used(flanks[flank], &mut warnings);
         let place = gear.place(&body, flank);
@@ -103,9 +105,12 @@ fn drawing(
         normal_pressure_angle_deg: Sides::try_from_fn(|f| Asked(flanks[f]).number("normal_pressure_angle"))?,
         helix_angle_deg: of.number("helix_angle_reference_diameter")?,
         profile_shift: shifts.left,
+        thickness: None,
+        tolerance_class: read_class(component)?,
         face_width_mm,
         tip_diameter_mm: of.optional("tip_diameter")?,
         root_diameter_mm: of.optional("root_diameter")?,
+        form_diameter_mm: of.optional("root_form_diameter")?,
         datum_face,
         fields: Sides::default(),
         modifications: Sides::default(),

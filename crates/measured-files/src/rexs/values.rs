@@ -15,6 +15,8 @@ pub(super) fn factor(form: Form, unit: Option<&str>) -> Option<f64> {
     match (form, unit) {
         (Form::Length | Form::Lengths, "mm") | (Form::Angle, "deg" | "\u{b0}") => Some(1.0),
         (Form::Length | Form::Lengths, "mum") => Some(1e-3),
+        (Form::Micrometres, "mum") => Some(1.0),
+        (Form::Micrometres, "mm") => Some(1e3),
         (Form::Angle, "rad") => Some(180.0 / std::f64::consts::PI),
         (Form::Plain | Form::Integer | Form::Boolean | Form::Word, "none" | "") => Some(1.0),
         _ => None,
@@ -24,7 +26,7 @@ pub(super) fn factor(form: Form, unit: Option<&str>) -> Option<f64> {
 /// What is allowed as the unit of a form.
 pub(super) fn units(form: Form) -> &'static str {
     match form {
-        Form::Length | Form::Lengths => "mm, mum",
+        Form::Length | Form::Lengths | Form::Micrometres => "mm, mum",
         Form::Angle => "deg, rad",
         _ => "none",
     }
@@ -51,7 +53,7 @@ impl Asked<'_> {
         RexsError::BadValue { component: title(self.0), attribute: id.into(), value, allowed }
     }
 
-    /// A number in mm, degree or without unit.
+    /// A number in mm, um, degree or without unit.
     pub fn optional(&self, id: &'static str) -> Result<Option<f64>, RexsError> {
         match self.value(id)? {
             None => Ok(None),

@@ -119,7 +119,7 @@ fn attribute(node: Place<'_, '_>, component: i32, kind: &str) -> Result<Attribut
 fn scalar(form: Form, text: &str) -> Option<Value> {
     let number = || text.parse().ok().filter(|v: &f64| v.is_finite());
     match form {
-        Form::Length | Form::Angle | Form::Plain => number().map(Value::Number),
+        Form::Length | Form::Micrometres | Form::Angle | Form::Plain => number().map(Value::Number),
         Form::Integer => text.parse().ok().map(Value::Integer),
         Form::Boolean => match text {
             "true" | "1" => Some(Value::Boolean(true)),
@@ -134,7 +134,7 @@ fn scalar(form: Form, text: &str) -> Option<Value> {
 /// What messages say about the value of a form.
 pub(super) fn allowed(form: Option<Form>) -> &'static str {
     match form {
-        Some(Form::Length | Form::Angle | Form::Plain) => "a finite number",
+        Some(Form::Length | Form::Micrometres | Form::Angle | Form::Plain) => "a finite number",
         Some(Form::Integer) => "a whole number",
         Some(Form::Boolean) => "true or false",
         Some(Form::Word) => "a word",

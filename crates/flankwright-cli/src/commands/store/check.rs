@@ -22,12 +22,14 @@ pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
     let health = arguments.place.open_existing()?.health().map_err(failed)?;
     arguments.place.print(&health, || {
         let mut text = format!(
-            "{} ({}, tables of version {})\n  {} parts with {} values, {} bodies, {} plans, {} measurements of tools\n",
+            "{} ({}, tables of version {})\n  {} parts with {} values, {} of them with their files ({:.1} MB packed), {} bodies, {} plans, {} measurements of tools\n",
             health.store,
             health.kind,
             health.tables,
             health.parts,
             health.values,
+            health.parts_with_files,
+            health.file_bytes as f64 * 1e-6,
             health.bodies,
             health.plans,
             health.tool_measurements

@@ -65,8 +65,12 @@ fn text(report: &MeasurementReport) -> String {
         0 => String::new(),
         count => format!(" ({count} of them again)"),
     };
+    let completed = match report.completed {
+        0 => String::new(),
+        count => format!(" ({count} of them have got their files now)"),
+    };
     let mut text = format!(
-        "{} parts imported{again}, {} known, {} files refused\n",
+        "{} parts imported{again}, {} known{completed}, {} files refused\n",
         report.imported.len(),
         report.known.len(),
         report.refused.len()

@@ -4,14 +4,11 @@ use std::fmt::Write;
 
 use clap::Args;
 use flankwright::exchange::{Diagnostic, Problem};
-use flankwright_store::{PartFilter, PartSummary};
+use flankwright_store::{PartFilter, PartSummary, SHORTEST_DIGEST};
 
 use super::place::{PlaceArguments, failed};
 use crate::exit::Exit;
 use crate::failure::Failure;
-
-/// Shortest beginning of a digest that names a part.
-const SHORTEST: usize = 8;
 
 /// Arguments of `store remove`.
 #[derive(Args, Debug)]
@@ -49,10 +46,11 @@ pub fn run(arguments: &RemoveArguments) -> Result<Exit, Failure> {
 fn named<'a>(all: &'a [PartSummary], digest: &str) -> Result<&'a PartSummary, Failure> {
     let wrong = |message: String| {
         let finding = Diagnostic::new(Problem::UnknownValue, message).field("DIGEST").value(digest);
-        let finding = finding.allowed(format!("the beginning of one digest, {SHORTEST} digits or more"));
+        let finding =
+            finding.allowed(format!("the beginning of one digest, {SHORTEST_DIGEST} digits or more"));
         Failure::new(Exit::BadInput, finding.way_out("list the parts: `flankwright store parts`"))
     };
-    if digest.len() < SHORTEST {
+    if digest.len() < SHORTEST_DIGEST {
         return Err(wrong("too short to name a part".into()));
     }
     let mut found = all.iter().filter(|part| part.digest.starts_with(digest));

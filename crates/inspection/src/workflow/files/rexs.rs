@@ -2,20 +2,26 @@
 
 use super::super::drawn::DrawnGear;
 use super::super::files_content::MeasuredFiles;
+use super::super::statements::Statements;
 use super::{empty, tag};
 use crate::workflow::convert::{of_rexs, remark};
 use foundation::geometry::{Flank, Gear, Sides};
 use job::{Diagnostic, Problem};
 use measured_files::inspection::InspectedGear;
-use measured_files::rexs::{RexsError, RexsGear, gear_ids, gear_of, read_rexs};
+use measured_files::rexs::{RexsDocument, RexsError, RexsGear, gear_ids, gear_of};
 use run::RunFailure;
 use std::path::Path;
 use verdict::Remark;
 
-/// Reads the first gear of a file.
-pub(super) fn read(path: &Path) -> Result<MeasuredFiles, RunFailure> {
+/// The first gear of a model that was read.
+pub(super) fn measured(
+    path: &Path,
+    read: Result<RexsDocument, RexsError>,
+    statements: &Statements,
+) -> Result<MeasuredFiles, RunFailure> {
+    statements.check_rexs()?;
     let refused = |error: RexsError| of_rexs(&error, path);
-    let document = read_rexs(path).map_err(refused)?;
+    let document = read.map_err(refused)?;
     let ids = gear_ids(&document);
     let Some(&first) = ids.first() else {
         let finding = Diagnostic::new(Problem::InvalidTable, "the file has no cylindrical gear")
@@ -66,12 +72,15 @@ fn drawn(gear: &RexsGear, body: &Gear) -> Result<DrawnGear, RunFailure> {
     });
     let helix =
         gear.fields.map(|_, field| [field.z_start_mm.unwrap_or(-half), field.z_end_mm.unwrap_or(half)]);
+    let shift = gear.made_profile_shift().map_err(|error| {
+        RunFailure::bad_input(Diagnostic::of(&error).field("span_measurement, size_over_balls"))
+    })?;
     let drawn = InspectedGear {
         teeth: gear.teeth,
         normal_module_mm: gear.normal_module_mm,
         normal_pressure_angle_deg: angles.left,
         helix_angle_deg: gear.helix_angle_deg,
-        profile_shift: Some(gear.profile_shift),
+        profile_shift: Some(shift),
         face_width_mm: Some(gear.face_width_mm),
         tip_diameter_mm: gear.tip_diameter_mm,
         root_diameter_mm: gear.root_diameter_mm,

@@ -11,7 +11,7 @@ use serde_json::json;
 fn job_gear() -> serde_json::Value {
     json!({
         "teeth": 31, "normal_module": 2.5, "normal_pressure_angle_deg": { "left": 20.0, "right": 22.5 }, "helix_angle_deg": -20.0,
-        "profile_shift": 0.125, "face_width": 30.0, "tip_diameter": 88.4, "root_diameter": 76.0, "cone_angle_deg": 0.0,
+        "profile_shift": 0.125, "face_width": 30.0, "tip_diameter": 88.4, "root_diameter": 76.0, "form_diameter": 77.5, "cone_angle_deg": 0.0,
         "evaluation": { "start_diameter": 78.0, "end_diameter": 87.4, "z_start": -14.5, "z_end": 14.5 }
     })
 }
