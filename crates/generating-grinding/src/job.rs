@@ -26,6 +26,7 @@ mod strokes;
 mod target;
 mod technology;
 mod worm;
+mod worm_life;
 
 pub use catalogue::{CatalogueSource, FreeQuantity, FreeWorm};
 pub use compensation::Compensation;
@@ -54,6 +55,7 @@ pub use technology::{
     CostRates, CycleRule, DressingOfShop, DressingRotation, PartTimes, Technology, TechnologyLimits, WormLife,
 };
 pub use worm::{Tool, Worm};
+pub use worm_life::WormLifeStudy;
 
 use job::tables::{Control, Gear, Grid, Hand, JobInfo, Language, Machine, OneOrSides, Output};
 use job::{Diagnostic, Document, Loaded, Problem, ProcessJob};

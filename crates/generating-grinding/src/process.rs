@@ -7,10 +7,11 @@ use crate::workflow::programs::{BodiesCheck, OnGrinding};
 use crate::workflow::refusal::Evidence;
 use crate::workflow::{
     CatalogueOutcome, DressingStudyOutcome, ExploreOutcome, FreeOutcome, JobOutcome, JobResult, Outcome,
+    WormLifeOutcome,
 };
 use crate::workflow::{
     explore_job, plan_from_catalogue, plan_job, preview_job, rank_catalogue, simulate_job, study_dressing,
-    study_free_worm,
+    study_free_worm, study_worm_life,
 };
 use ::job::ProcessJob;
 use foundation::numerics::Progress;
@@ -52,6 +53,7 @@ impl Process for GeneratingGrinding {
             DocumentFormat::of::<CatalogueOutcome>("catalogue", "explore.json"),
             DocumentFormat::of::<FreeOutcome>("free-worm", "explore.json"),
             DocumentFormat::of::<DressingStudyOutcome>("dressing-study", "explore.json"),
+            DocumentFormat::of::<WormLifeOutcome>("worm-life", "explore.json"),
         ]
     }
 
@@ -126,6 +128,9 @@ fn explore(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Box<dyn TaskOu
     }
     if loaded.job.explore.as_ref().is_some_and(|explore| explore.dressing.is_some()) {
         return Ok(Box::new(study_dressing(loaded, progress)?));
+    }
+    if let Some(study) = loaded.job.explore.as_ref().and_then(|explore| explore.worm_life) {
+        return Ok(Box::new(study_worm_life(loaded, study, progress)?));
     }
     Ok(Box::new(explore_job(loaded, progress)?))
 }

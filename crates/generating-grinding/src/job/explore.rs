@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::catalogue::FreeWorm;
 use super::dressing_study::DressingStudy;
 use super::steps::Steps;
+use super::worm_life::WormLifeStudy;
 
 /// Settings that a study varies; every combination is computed.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -26,6 +27,9 @@ pub struct Explore {
     /// A study of dressing in place of the others.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub dressing: Option<DressingStudy>,
+    /// One worm over its life in place of the others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub worm_life: Option<WormLifeStudy>,
     /// A study of the `[catalogue]` with one quantity of its worms free; without it all pairs are ranked.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub catalogue: Option<FreeWorm>,

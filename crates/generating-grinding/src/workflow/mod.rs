@@ -36,6 +36,7 @@ mod summary;
 pub mod tables;
 mod tip_edge;
 pub mod tip_land;
+pub mod worm_life;
 pub mod write;
 
 pub use catalogue::{
@@ -72,4 +73,7 @@ pub use result::{CandidateResult, FlankResult, JobResult, SettingsResult};
 pub use run::{Outcome, plan_job, simulate_job};
 pub use stroke_plan::StrokePlan;
 pub use summary::{JobOutcome, controlled, proven};
+pub use worm_life::{
+    DressingOfLife, PlanOfLife, WormLifeOutcome, WormOfLife, study_worm_life, write_worm_life,
+};
 pub use write::write_outcome;

@@ -1,7 +1,7 @@
 //! Contradictions in `[explore]`.
 
 use super::stroke_study;
-use crate::job::{DressingStudy, Explore, Job, Steps, StudyOver, Tool};
+use crate::job::{Dressing, DressingStudy, Explore, Job, Steps, StudyOver, Tool};
 use job::{Diagnostic, Problem, shown_number};
 
 pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
@@ -11,7 +11,7 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
             Diagnostic::new(Problem::MissingKey, "`explore` does not say what varies")
                 .field("explore.diagonal_ratio")
                 .allowed(
-                    "one or more of diagonal_ratio, worm_cone_angle_deg, crossed_axes_angle_deg; or dressing; or catalogue",
+                    "one or more of diagonal_ratio, worm_cone_angle_deg, crossed_axes_angle_deg; or dressing, worm_life or catalogue",
                 )
                 .way_out("add one, e.g. diagonal_ratio = { from = -3.0, to = 3.0, count = 61 }"),
         );
@@ -22,6 +22,9 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
         ("crossed_axes_angle_deg", explore.crossed_axes_angle_deg),
     ] {
         ascending(key, steps, findings);
+    }
+    if explore.worm_life.is_some() {
+        worm_life(job, explore, findings);
     }
     if let Some(study) = &explore.dressing {
         if (Explore { dressing: None, ..explore.clone() }) != Explore::default() {
@@ -70,6 +73,67 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
                     .way_out("leave `worm.tool` out and describe the `[dresser]`"),
             );
         }
+    }
+}
+
+/// A worm over its life: a cylindrical one, dressed anew in one stroke by a dresser that is the same for all its diameters.
+fn worm_life(job: &Job, explore: &Explore, findings: &mut Vec<Diagnostic>) {
+    let mut refuse =
+        |field: &str, value: String, text: &'static str, allowed: &'static str, way_out: &'static str| {
+            findings.push(
+                Diagnostic::new(Problem::InvalidJob, text)
+                    .field(field)
+                    .value(value)
+                    .allowed(allowed)
+                    .way_out(way_out),
+            );
+        };
+    if (Explore { worm_life: None, ..explore.clone() }) != Explore::default() {
+        refuse(
+            "explore.worm_life",
+            "beside other keys".into(),
+            "a study of the worm's life stands alone",
+            "worm_life, or the other keys of [explore]",
+            "make two jobs of it",
+        );
+    }
+    if job.worm.tool != Tool::Dressed || job.dresser.is_none() || job.point_dresser().is_some() {
+        refuse(
+            "explore.worm_life",
+            "without a disc in line contact".into(),
+            "over its life a worm is dressed by one disc in line contact; this one is not",
+            "worm.tool = \"dressed\" and a [dresser] with contact = \"line\"",
+            "describe the disc in [dresser], or leave worm_life out",
+        );
+    }
+    let cone = job.worm.cone_angle_deg;
+    if cone != 0.0 {
+        refuse(
+            "worm.cone_angle_deg",
+            shown_number(cone),
+            "the life of a conical worm is not followed",
+            "0 beside explore.worm_life",
+            "leave worm_life out",
+        );
+    }
+    if job.dressing.strokes.is_some() {
+        refuse(
+            "dressing.strokes",
+            "a table".into(),
+            "over its life a worm is dressed in one stroke of each flank",
+            "no strokes beside explore.worm_life",
+            "leave `strokes` out",
+        );
+    }
+    let rows = Dressing::default();
+    if job.dressing.conditions != rows.conditions || !job.dressing.fixed().is_empty() {
+        refuse(
+            "dressing.conditions",
+            format!("{} conditions", job.dressing.rows()),
+            "the dresser of the new worm is settled on a smaller one by three points and the radius map",
+            "no conditions and no degrees_of_freedom beside explore.worm_life",
+            "leave `conditions` and `degrees_of_freedom` out",
+        );
     }
 }
 
