@@ -114,6 +114,10 @@ fn of_grinding(name: &str, loaded: &LoadedJob) -> Vec<(&'static str, PlanReport)
         let found = made(name, grinding::study_dressing(loaded, SILENT));
         return vec![(" explored", grinding::dressing_study::files::page(&found).unwrap())];
     }
+    if let Some(study) = explore.and_then(|explore| explore.worm_life) {
+        let found = made(name, grinding::study_worm_life(loaded, study, SILENT));
+        return vec![(" explored", grinding::worm_life::files::page(&found).unwrap())];
+    }
     if name == "inspection/closed-loop.toml" {
         let found = made(name, inspection::workflow::inspect_simulated(loaded, Some(5), SILENT));
         return vec![(" inspected", inspection::page::measured_gear::page(&found, &files()).unwrap())];

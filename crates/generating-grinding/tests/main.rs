@@ -17,3 +17,4 @@ mod stroke_plans;
 mod targets;
 mod truck_gear;
 mod verdicts;
+mod worm_life;

@@ -530,7 +530,10 @@ impl PlanTask<'_> {
                 for flank in Flank::BOTH {
                     dressed_record[flank].extend(next.error.largest(flank));
                 }
-                if next.error.max() >= best.error.max() {
+                // What the worm as dressed leaves may ask far more of the axes than the command that was judged.
+                let chosen = self.ratio.is_none() && self.law.is_none();
+                let beyond = chosen && self.dressing_share(&next).0 > 1.0;
+                if next.error.max() >= best.error.max() || beyond {
                     break;
                 }
                 best = next;

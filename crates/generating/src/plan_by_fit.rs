@@ -606,6 +606,25 @@ impl PlanTask<'_> {
         Ok(Sides { left: left?, right: right? })
     }
 
+    /// The largest share of a limit that a correcting axis of dressing takes, with the axis and its value.
+    pub(super) fn dressing_share(&self, equipped: &Equipped) -> (f64, (usize, f64)) {
+        let mut largest = (0.0, (0, 0.0));
+        for (flank, tool) in equipped.flanks.iter() {
+            let Some(PlannedTool::Dressed(dressed)) = tool else { continue };
+            let settled = equipped.dresser.as_ref().map_or([0.0; 4], |dresser| dresser.flanks[flank].settled);
+            for node in &dressed.nodes {
+                for j in 0..4 {
+                    let value = (node.dk[j] + settled[j]).abs();
+                    let share = value / self.limits.correction[j];
+                    if share > largest.0 {
+                        largest = (share, (j, value));
+                    }
+                }
+            }
+        }
+        largest
+    }
+
     /// What a fitted ratio asks of the axes, as the rule judges ratios.
     fn candidate_of(
         &self,
@@ -616,21 +635,7 @@ impl PlanTask<'_> {
     ) -> Candidate {
         let rule = self.rule(grid);
         let ideal = &equipped.ideal;
-        let mut dressing_share: f64 = 0.0;
-        let mut worst = (0, 0.0);
-        for (flank, tool) in equipped.flanks.iter() {
-            let Some(PlannedTool::Dressed(dressed)) = tool else { continue };
-            let settled = equipped.dresser.as_ref().map_or([0.0; 4], |dresser| dresser.flanks[flank].settled);
-            for node in &dressed.nodes {
-                for j in 0..4 {
-                    let value = (node.dk[j] + settled[j]).abs();
-                    let share = value / self.limits.correction[j];
-                    if share > dressing_share {
-                        (dressing_share, worst) = (share, (j, value));
-                    }
-                }
-            }
-        }
+        let (dressing_share, worst) = self.dressing_share(equipped);
         let feeds = self.setup.feed_range(&ideal.motion.shift, &rule.which());
         let delta_d = (0..=64)
             .map(|k| ideal.motion.delta_d.value(feeds[0] + (feeds[1] - feeds[0]) * f64::from(k) / 64.0).abs())

@@ -78,6 +78,7 @@ const STUDIES: &[(&str, i32)] = &[
     ("dressing/figure-19b.toml", 0),
     ("dressing/figure-20a.toml", 0),
     ("dressing/figure-20b.toml", 0),
+    ("worm-life.toml", 0),
 ];
 
 /// Exit status of `gearbox`.

@@ -165,6 +165,7 @@ fn rows(outcome: &WormLifeOutcome) -> Table {
                 for ((_, _, value), digits) in QUANTITIES.iter().zip([3, 4, 4, 3, 1, 0, 2]) {
                     row.push(format_fixed(value(plan), digits));
                 }
+                row.push(plan.reason.as_ref().map_or_else(String::new, |reason| reason.text.clone()));
             }
             (None, Some(refused)) => row.push(refused.text.clone()),
             (None, None) => {}
@@ -183,6 +184,7 @@ fn rows(outcome: &WormLifeOutcome) -> Table {
             PageColumn::number("Worm used", "mm"),
             PageColumn::number("Worm speed", "1/min"),
             PageColumn::number("Least det.", ""),
+            PageColumn::text("Why not met"),
         ],
         rows: outcome.worms.iter().map(row).collect(),
         note: "Settings of each diameter stand in explore.json, corrections in explore.csv. The flank is judged; programs, stock and control are not made for the diameters.".into(),

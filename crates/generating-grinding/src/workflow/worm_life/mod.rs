@@ -14,12 +14,13 @@ use dresser::with_dresser_of;
 use foundation::geometry::{Flank, Sides};
 use foundation::numerics::{Progress, Silent};
 use job::{Diagnostic, Problem, shown_number};
+use rayon::prelude::*;
 use report::PageHead;
 use run::{Conclusion, JobTitle, RunFailure, TaskOutcome, WriteError};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
-use verdict::{Status, Verdict};
+use verdict::{Remark, Status, Verdict};
 use worn::{first_tip_diameter, plain, worn};
 
 /// Halvings between the last diameter that meets the target and the first one that does not.
@@ -66,6 +67,9 @@ pub struct WormOfLife {
 pub struct PlanOfLife {
     /// Whether the target is met.
     pub status: Status,
+    /// Why it is not met.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<Remark>,
     /// Largest deviation from the target by the referee, normal, of the flank that has more.
     pub deviation_um: f64,
     /// Least determinant ratio of the envelope.
@@ -149,7 +153,8 @@ pub fn study_worm_life(
         }
     };
     let steps = study.count - 1;
-    worms.extend((1..=steps).map(|k| at(first + (last - first) * k as f64 / steps as f64)));
+    let diameter = |k: usize| first + (last - first) * k as f64 / steps as f64;
+    worms.extend((1..=steps).into_par_iter().map(|k| at(diameter(k))).collect::<Vec<_>>());
     let met = worms.iter().take_while(|worm| worm.is_met()).count();
     let whole_life = met == worms.len();
     let mut usable = met.checked_sub(1).map(|k| worms[k].tip_diameter_mm);
@@ -197,6 +202,7 @@ fn of_outcome(tip_diameter_mm: f64, outcome: &Outcome) -> WormOfLife {
     });
     let plan = PlanOfLife {
         status: result.verdict.status(),
+        reason: result.verdict.reason().cloned(),
         deviation_um: of_flanks.clone().map(|flank| flank.max_deviation_um).fold(0.0, f64::max),
         least_determinant_ratio: of_flanks
             .map(|flank| flank.least_determinant_ratio)
@@ -223,7 +229,15 @@ impl WormLifeOutcome {
                     "The target is met down to the last diameter, {last:.2} mm, with the dresser of the new worm."
                 )
             }
-            Some(last) => format!("The target is met down to {last:.2} mm with the dresser of the new worm."),
+            Some(last) => {
+                let ends = self.worms.iter().find(|worm| !worm.is_met() && worm.tip_diameter_mm < last);
+                let plan = ends.and_then(|worm| worm.plan.as_ref());
+                let reason = plan.and_then(|plan| plan.reason.as_ref()).map(|reason| reason.text.as_str());
+                let refused =
+                    ends.and_then(|worm| worm.refused.as_ref()).map(|refused| refused.text.as_str());
+                let why = reason.or(refused).map(|text| format!(" Below: {text}.")).unwrap_or_default();
+                format!("The target is met down to {last:.2} mm with the dresser of the new worm.{why}")
+            }
         }
     }
 }
