@@ -810,9 +810,9 @@ export interface components {
       /** @description What to know. */
       remarks: components["schemas"]["Remark"][];
       /** @description Least, mean and greatest of each flank; absent for a flank that was not measured. */
-      stock_um: components["schemas"]["Sides7"];
+      stock_um: components["schemas"]["Sides8"];
       /** @description Teeth whose traces were measured, on each flank; the others have the mean of them. */
-      teeth_with_traces: components["schemas"]["Sides8"];
+      teeth_with_traces: components["schemas"]["Sides9"];
       /** @description Whether every tooth stands where its pitch says. */
       with_pitch: boolean;
     };
@@ -1875,6 +1875,11 @@ export interface components {
     CycleResult: {
       /**
        * Format: double
+       * @description Cost of a part if the width is used at its best; absent without `technology.cost`.
+       */
+      cost_per_part?: number | null;
+      /**
+       * Format: double
        * @description Height of the feed marks of finishing.
        */
       feed_mark_um: number;
@@ -1914,6 +1919,8 @@ export interface components {
       by_load: components["schemas"]["CycleResult"][];
       /** @description The fastest for each number of roughing strokes from 0; absent where none keeps the limits. */
       by_roughing_strokes: (components["schemas"]["CycleResult"] | null)[];
+      /** @description The cheapest; absent without `technology.cost`. */
+      cheapest?: components["schemas"]["CycleResult"] | null;
       /** @description The fastest. */
       fastest: components["schemas"]["CycleResult"];
       /** @description Whether the limits of the machine's axes are in the times. */
@@ -2224,6 +2231,29 @@ export interface components {
        * @description Worm.
        */
       worm_speed_rpm: number;
+    };
+    /** @description Corrections of dressing against the nominal kinematics. */
+    DressingOfLife: {
+      /**
+       * Format: double
+       * @description Centre distance.
+       */
+      d_d_mm: number;
+      /**
+       * Format: double
+       * @description Crossing angle.
+       */
+      d_gamma_deg: number;
+      /**
+       * Format: double
+       * @description Worm angle.
+       */
+      d_phi_S_deg: number;
+      /**
+       * Format: double
+       * @description Offset.
+       */
+      d_v_yA_mm: number;
     };
     /** @description What a study found: the document of `explore.json`. */
     DressingStudyOutcome: {
@@ -2547,6 +2577,13 @@ export interface components {
        * @description Largest deviation from the target.
        */
       max_deviation_um: number;
+    };
+    /** @description Q'_w on one flank. */
+    FlankRateResult: {
+      /** @description Diameters of the places along the profile, rising. */
+      diameter_mm: number[];
+      /** @description Q'_w: for each diameter its values over the feed. */
+      specific_rate_mm3_per_mm_s: number[][];
     };
     /** @description One flank under a stroke: the largest over the profile. */
     FlankRemovalResult: {
@@ -5064,6 +5101,57 @@ export interface components {
        */
       total_um: number;
     };
+    /** @description A plan for one diameter. */
+    PlanOfLife: {
+      /**
+       * Format: double
+       * @description Centre distance of worm and gear.
+       */
+      centre_distance_mm: number;
+      /**
+       * Format: double
+       * @description Crossed-axes angle of worm and gear.
+       */
+      crossed_axes_angle_deg: number;
+      /**
+       * Format: double
+       * @description Largest deviation from the target by the referee, normal, of the flank that has more.
+       */
+      deviation_um: number;
+      /**
+       * Format: double
+       * @description Diagonal ratio.
+       */
+      diagonal_ratio: number;
+      /** @description Corrections of dressing in the middle of the stroke, of each flank; null for a flank that is not dressed. */
+      dressing: components["schemas"]["Sides7"];
+      /**
+       * Format: double
+       * @description Least determinant ratio of the envelope.
+       */
+      least_determinant_ratio: number;
+      /** @description Why it is not met. */
+      reason?: components["schemas"]["Remark"] | null;
+      /** @description Settings of machine and dresser, for `[settings]` of a job with this worm. */
+      settings: components["schemas"]["Settings"];
+      /** @description Whether the target is met. */
+      status: components["schemas"]["Status"];
+      /**
+       * Format: double
+       * @description Length of the worm that is used.
+       */
+      used_width_mm: number;
+      /**
+       * Format: double
+       * @description Pitch diameter of the worm.
+       */
+      worm_pitch_diameter_mm: number;
+      /**
+       * Format: double
+       * @description Speed of the worm for the cutting speed of the job.
+       */
+      worm_speed_rpm: number;
+    };
     /** @description How the space between scattered points is filled. */
     PointMethod: "linear" | "spline";
     /** @description A plan without its referee. */
@@ -5552,12 +5640,10 @@ export interface components {
     };
     /** @description Q'_w over flank and feed, the largest over the tooth spaces. */
     RateMapResult: {
-      /** @description Diameters of the places along the profile, rising. */
-      diameter_mm: components["schemas"]["Sides2"];
       /** @description Feeds z_V2, rising. */
       feed_mm: number[];
-      /** @description Q'_w: for each diameter its values over the feed. */
-      specific_rate_mm3_per_mm_s: components["schemas"]["Sides6"];
+      /** @description Each flank that the stroke grinds; null for the other. */
+      flanks: components["schemas"]["Sides6"];
     };
     /** @description An edge. */
     RecordedEdge: {
@@ -5731,6 +5817,7 @@ export interface components {
       | components["schemas"]["CatalogueOutcome"]
       | components["schemas"]["FreeOutcome"]
       | components["schemas"]["DressingStudyOutcome"]
+      | components["schemas"]["WormLifeOutcome"]
       | components["schemas"]["TangentialResult"]
       | components["schemas"]["GearboxResult"]
       | components["schemas"]["MillingResult"]
@@ -6385,6 +6472,44 @@ export interface components {
        */
       rounding_um?: number | null;
     };
+    /** @description Settings of grinding and dressing. */
+    Settings: {
+      /** @description Delta_d over z_V2, um and um/mm^k, in place of `delta_d_um`, where it is no polynomial. */
+      delta_d_pieces?: components["schemas"]["Pieces"] | null;
+      /**
+       * @description Coefficients of Delta_d over z_V2, um/mm^k, k = 0, 1, ...
+       * @default []
+       */
+      delta_d_um: number[];
+      /** @description Delta_phi_2 over z_V2, urad and urad/mm^k, in place of `delta_phi_2_urad`. */
+      delta_phi_2_pieces?: components["schemas"]["Pieces"] | null;
+      /**
+       * @description Coefficients of Delta_phi_2 over z_V2, urad/mm^k, k = 0, 1, ...
+       * @default []
+       */
+      delta_phi_2_urad: number[];
+      /**
+       * Format: double
+       * @description Diagonal ratio K of z_V1 = K z_V2 + z_V01; 0 = no shift.
+       */
+      diagonal_ratio: number;
+      /** @description Dressing of the left worm flank; absent: nominal. */
+      left?: components["schemas"]["FlankSettings"] | null;
+      /** @description Dressing of the right worm flank; absent: nominal. */
+      right?: components["schemas"]["FlankSettings"] | null;
+      /** @description z_V1 over z_V2 in place of ratio and origin, for a ratio that changes over the feed. */
+      shift?: components["schemas"]["Pieces"] | null;
+      /**
+       * Format: double
+       * @description z_V01, mm: tool shift at z_V2 = 0.
+       * @default 0
+       */
+      shift_origin_mm: number;
+      /** @description Strokes in which the worm flanks are dressed, with `[dressing.strokes]`, in place of `left` and `right`. */
+      strokes?: components["schemas"]["StrokeTables"];
+      /** @description Flanks of a tool that is not dressed; absent: unmodified, or as `[worm] modifications` says. */
+      tool?: components["schemas"]["ToolTables"];
+    };
     /** @description Settings, with how the diagonal ratio was found. */
     SettingsResult: {
       /** @description Candidates judged. */
@@ -6594,26 +6719,33 @@ export interface components {
     /** @description One value for each flank. */
     Sides5: {
       /** @description Value of the left flank. */
-      left: components["schemas"]["FlankRemovalResult"];
+      left: components["schemas"]["FlankRemovalResult"] | null;
       /** @description Value of the right flank. */
-      right: components["schemas"]["FlankRemovalResult"];
+      right: components["schemas"]["FlankRemovalResult"] | null;
     };
     /** @description One value for each flank. */
     Sides6: {
       /** @description Value of the left flank. */
-      left: number[][];
+      left: components["schemas"]["FlankRateResult"] | null;
       /** @description Value of the right flank. */
-      right: number[][];
+      right: components["schemas"]["FlankRateResult"] | null;
     };
     /** @description One value for each flank. */
     Sides7: {
+      /** @description Value of the left flank. */
+      left: components["schemas"]["DressingOfLife"] | null;
+      /** @description Value of the right flank. */
+      right: components["schemas"]["DressingOfLife"] | null;
+    };
+    /** @description One value for each flank. */
+    Sides8: {
       /** @description Value of the left flank. */
       left: [number, number, number];
       /** @description Value of the right flank. */
       right: [number, number, number];
     };
     /** @description One value for each flank. */
-    Sides8: {
+    Sides9: {
       /**
        * Format: uint
        * @description Value of the left flank.
@@ -6909,7 +7041,7 @@ export interface components {
       cutting_speed_m_per_s: number;
       /**
        * Format: double
-       * @description Diagonal ratio.
+       * @description Diagonal ratio; from end to end of the contact where it varies.
        */
       diagonal_ratio: number;
       /** @description "up" for a feed z_V2 that rises, "down". */
@@ -6934,7 +7066,7 @@ export interface components {
        * @description Feed per revolution of the workpiece.
        */
       feed_per_revolution_mm: number;
-      /** @description Each flank. */
+      /** @description Each flank that it grinds; null for the other. */
       flanks: components["schemas"]["Sides5"];
       /**
        * Format: double
@@ -6946,8 +7078,8 @@ export interface components {
        * @description Largest removal rate.
        */
       largest_rate_mm3_per_s: number;
-      /** @description Stock that it leaves on each flank, normal. */
-      left_um: components["schemas"]["Sides4"];
+      /** @description Stock that it leaves on each flank, normal; null for a flank that it does not grind. */
+      left_um: components["schemas"]["Sides"];
       /** @description The limit that it comes nearest to; absent where it takes nothing. */
       nearest_limit?: components["schemas"]["LimitShare"] | null;
       /** @description Q'_w over flank and feed; absent where the stroke takes nothing. */
@@ -7717,6 +7849,29 @@ export interface components {
        */
       width: number;
     };
+    /** @description What a study found: the document of `explore.json`. */
+    WormLifeOutcome: {
+      /** @description Name of the job. */
+      job: string;
+      /**
+       * Format: double
+       * @description Least tip diameter at which the target is met, and at every larger one that was planned; absent where the new worm misses it.
+       */
+      last_usable_tip_diameter_mm?: number | null;
+      /** @description Process. */
+      process: string;
+      /**
+       * Format: double
+       * @description Tolerance of the job, the tightest of its map.
+       */
+      tolerance_um: number;
+      /** @description Version of flankwright. */
+      version: string;
+      /** @description Whether that is the last diameter of the study: nothing ends the life before. */
+      whole_life: boolean;
+      /** @description Diameters from the new worm down, those between that look for the last usable one included. */
+      worms: components["schemas"]["WormOfLife"][];
+    };
     /** @description One worm from its first to its last diameter. */
     WormLifeResult: {
       /** @description Crossed-axes angle of the new and of the last worm. */
@@ -7760,6 +7915,18 @@ export interface components {
       removed_mm3_per_mm: components["schemas"]["Sides2"];
       /** @description Areas of the worm; widths in balance last equally long. */
       zones: components["schemas"]["ZoneLoadResult"][];
+    };
+    /** @description The worm at one diameter. */
+    WormOfLife: {
+      /** @description What the plan at this diameter comes to; absent where there is none. */
+      plan?: components["schemas"]["PlanOfLife"] | null;
+      /** @description Why there is none. */
+      refused?: components["schemas"]["Refused"] | null;
+      /**
+       * Format: double
+       * @description Tip diameter.
+       */
+      tip_diameter_mm: number;
     };
     /** @description The dresser on one worm. */
     WormPoint: {
