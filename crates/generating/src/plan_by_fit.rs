@@ -11,6 +11,7 @@ use super::{
 };
 use contact::{ContactError, ModifiedThread};
 use foundation::geometry::{Flank, Sides};
+use std::cell::Cell;
 
 /// Points over profile and face width of the fit, and intervals of its functions over the flank.
 const FIT_GRID: [usize; 2] = [21, 41];
@@ -74,6 +75,15 @@ const FURTHER: [f64; 4] = [3.0, 10.0, 30.0, 100.0];
 /// beyond that counts as a tolerance, mm.
 const ROOM_AT_ENDS: f64 = 0.02;
 const STRAINED: f64 = 0.3;
+/// An ideal worm that leaves more than this share of the tolerance is not dressed as long as there is another to be tried.
+const UNDRESSED: f64 = 1.2;
+/// Nor is one whose contacts are so far beyond the finished part of the worm, in what counts as a tolerance: rounds with the worm as dressed bring
+/// back less.
+const FAR_BEYOND: f64 = 0.5;
+/// So many of those that were not dressed are dressed after all where there is no plan, the most promising first, until one is.
+const DRESSED_AT_LAST: usize = 6;
+/// Rounds after which no further ratio or limit is tried where a plan keeps to the tolerance on the grid though it may fold beside it, and where there is none.
+const ROUNDS_IN_ALL: [usize; 2] = [60, 400];
 /// The smallest step towards a command that folds, over the part that is reached then, and steps at most.
 const LEAST_STEP: f64 = 0.05;
 const PARTS: usize = 10;
@@ -125,6 +135,55 @@ struct FittedPlan {
     folds: bool,
 }
 
+/// A fit that came to no plan.
+struct Failed {
+    error: GeneratingError,
+    /// What its ideal worm leaves, limits that are not kept included, mm, where that was why no tool was made.
+    left: Option<f64>,
+}
+
+impl From<GeneratingError> for Failed {
+    fn from(error: GeneratingError) -> Self {
+        Self { error, left: None }
+    }
+}
+
+/// Which fits get a tool.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Dressed {
+    /// Those whose ideal worm promises a plan.
+    Promising,
+    /// All.
+    Each,
+}
+
+/// What the fits of one plan share.
+struct Trials<'t> {
+    grid: &'t PlanningGrid,
+    /// What the rules came to.
+    ruled: &'t Result<GrindingPlan, Box<NoPlan>>,
+    /// Commands that were carried out.
+    rounds: Cell<usize>,
+}
+
+impl Trials<'_> {
+    fn count(&self) {
+        self.rounds.set(self.rounds.get() + 1);
+    }
+
+    /// Whether no more is tried; `nearly` tells whether there is a plan, if perhaps with a fold.
+    fn are_over(&self, nearly: bool) -> bool {
+        self.rounds.get() >= ROUNDS_IN_ALL[usize::from(!nearly)]
+    }
+}
+
+/// A fit without a tool.
+struct Waiting {
+    left: f64,
+    ratio: f64,
+    within: Within,
+}
+
 /// A fit that is carried out.
 struct CarriedOut<'f, T> {
     fit: BestFit<'f>,
@@ -153,6 +212,8 @@ fn narrower(error: &GeneratingError, mut within: Within) -> Option<Within> {
             within.axes.correction.iter_mut().for_each(|limit| *limit *= WELL_NARROWER);
         }
         GeneratingError::Contact(ContactError::WormSurfaceMissing { .. }) => within.on_worm = true,
+        // Far from the target what is between the contacts tells little.
+        GeneratingError::ModelError { .. } if !within.closely => within.closely = true,
         GeneratingError::EnvelopeBroken { .. }
         | GeneratingError::Contact(ContactError::Undercut { .. } | ContactError::NotSettled { .. }) => {
             within.bend *= if within.closely { LESS_BENT } else { 1.0 };
@@ -214,9 +275,20 @@ impl PlanTask<'_> {
         };
         let grid = PlanningGrid::new(self.setup, FIT_GRID[0], FIT_GRID[1]).closer_at_ends();
         let task = fits((&grid, FIT_INTERVALS))?;
+        let trials = Trials { grid: &grid, ruled, rounds: Cell::new(0) };
         let mut best: Option<FittedPlan> = None;
+        let mut waiting: Vec<Waiting> = Vec::new();
+        let mut wait = |fitted: &Result<FittedPlan, Failed>, ratio: f64, within: Within| {
+            if let Err(Failed { left: Some(left), .. }) = fitted {
+                waiting.push(Waiting { left: *left, ratio, within });
+            }
+        };
+        let nearly = |best: &Option<FittedPlan>| {
+            let allowed = |known: &FittedPlan| if known.folds { 2.0 } else { 1.0 } * self.tolerance;
+            best.as_ref().is_some_and(|known| known.strain <= allowed(known))
+        };
         let mut tried: Vec<f64> = Vec::new();
-        while tried.len() < CARRIED_OUT {
+        while tried.len() < CARRIED_OUT && !trials.are_over(nearly(&best)) {
             // What one ratio cannot do that was expected to be easy its neighbours hardly can.
             let next = |expected: &&Expected| {
                 let apart = |other: &f64| far_apart(expected.ratio, *other);
@@ -230,7 +302,8 @@ impl PlanTask<'_> {
                 continue;
             };
             tried.push(ratio);
-            let mut fitted = self.fitted_at(&task, &grid, ratio, ruled);
+            let mut fitted = self.fitted_at(&task, &trials, ratio, Dressed::Promising);
+            wait(&fitted, ratio, first);
             let mut within = first;
             // Where a plan within the tolerance is known, another ratio is worth one fit.
             let known = best.as_ref().is_some_and(|known| known.strain <= WITHIN * self.tolerance);
@@ -241,14 +314,16 @@ impl PlanTask<'_> {
             };
             for _ in 0..retries {
                 let narrower = match &fitted {
-                    Err(error) => narrower(error, within),
+                    Err(failed) => narrower(&failed.error, within),
                     Ok(fitted) if fitted.folds && !within.closely => Some(Within { closely: true, ..within }),
                     Ok(_) => None,
                 };
-                let Some(narrower) = narrower else { break };
+                let Some(narrower) = narrower.filter(|_| !trials.are_over(nearly(&best))) else { break };
                 let Some(task) = self.fit_task((&grid, FIT_INTERVALS), narrower) else { break };
                 within = narrower;
-                fitted = match (fitted, self.fitted_at(&task, &grid, ratio, ruled)) {
+                let again = self.fitted_at(&task, &trials, ratio, Dressed::Promising);
+                wait(&again, ratio, within);
+                fitted = match (fitted, again) {
                     (Ok(known), Ok(again)) if known.strain <= again.strain => Ok(known),
                     (Ok(known), Err(_)) => Ok(known),
                     (_, again) => again,
@@ -274,15 +349,22 @@ impl PlanTask<'_> {
             // What is missed by little a neighbour may make.
             let about = known.plan.choice.ratio;
             for by in NEIGHBOURS {
-                if known.strain <= WITHIN * self.tolerance {
+                if known.strain <= WITHIN * self.tolerance || trials.are_over(true) {
                     break;
                 }
-                if let Ok(fitted) = self.fitted_at(&task, &grid, by * about, ruled)
+                if let Ok(fitted) = self.fitted_at(&task, &trials, by * about, Dressed::Promising)
                     && fitted.strain < known.strain
                 {
                     *known = fitted;
                 }
             }
+        }
+        if best.is_none() {
+            waiting.sort_by(|a, b| a.left.total_cmp(&b.left));
+            best = waiting.iter().take(DRESSED_AT_LAST).find_map(|of| {
+                let task = self.fit_task((&grid, FIT_INTERVALS), of.within)?;
+                self.fitted_at(&task, &trials, of.ratio, Dressed::Each).ok()
+            });
         }
         let best = best.map(|best| best.plan);
         if best.as_ref().is_some_and(|known| self.deviation(known) <= OF_UNMODIFIED * self.unmodified(known))
@@ -298,7 +380,7 @@ impl PlanTask<'_> {
         let further = FURTHER.into_iter().find_map(|near| {
             let within = Within { tolerance: near * self.tolerance, on_worm: true, ..first };
             let task = self.fit_task((&grid, FIT_INTERVALS), within)?;
-            let fitted = |&ratio: &f64| Some(self.fitted_at(&task, &grid, ratio, ruled).ok()?.plan);
+            let fitted = |&ratio: &f64| Some(self.fitted_at(&task, &trials, ratio, Dressed::Each).ok()?.plan);
             tried.iter().filter_map(fitted).min_by(nearer)
         });
         best.into_iter().chain(further).min_by(nearer)
@@ -326,14 +408,47 @@ impl PlanTask<'_> {
         })
     }
 
+    /// Why the ideal worm of a fit promises no plan; `off` is what it leaves, limits that are not kept included, mm.
+    fn unpromising(
+        &self,
+        task: &BestFitTask<'_>,
+        ratio: f64,
+        ideal: &CarriedOut<'_, IdealPlan>,
+        off: f64,
+    ) -> Option<Failed> {
+        let failed = |left: f64, error: GeneratingError| Some(Failed { error, left: Some(left) });
+        if self.strain(&ideal.contacts) > FAR_BEYOND
+            && let Err(error) = self.on_the_worm(&ideal.contacts)
+        {
+            return failed(off, error);
+        }
+        let allowed = UNDRESSED * self.tolerance;
+        if off > allowed {
+            let (error_um, allowed_um) = (1e3 * off, 1e3 * allowed);
+            return failed(off, GeneratingError::ModelError { ratio, error_um, allowed_um });
+        }
+        // Points that stand closer tell it where they are bounded closely.
+        let least = ideal.fit.least_between(&ideal.contacts);
+        if !task.within().closely && least < FOLDED * self.least_determinant {
+            let flank = task.which().first().copied().unwrap_or(Flank::Left);
+            let limit = self.least_determinant;
+            return failed(
+                off + self.tolerance,
+                GeneratingError::EnvelopeBroken { flank, ratio: least, limit },
+            );
+        }
+        None
+    }
+
     /// The best fit at one ratio, carried out.
     fn fitted_at(
         &self,
         task: &BestFitTask<'_>,
-        grid: &PlanningGrid,
+        trials: &Trials<'_>,
         ratio: f64,
-        ruled: &Result<GrindingPlan, Box<NoPlan>>,
-    ) -> Result<FittedPlan, GeneratingError> {
+        which_dressed: Dressed,
+    ) -> Result<FittedPlan, Failed> {
+        let Trials { grid, ruled, .. } = *trials;
         let place = *self.places.first().ok_or(GeneratingError::NoFlank)?;
         let which = self.rule(grid).which();
         let [from, to] = self.setup.occupation(&FeedLaw::Ratio(ratio).law(self.setup, &which), &which);
@@ -341,13 +456,19 @@ impl PlanTask<'_> {
         let series = SeriesRule { nodes: FIRST_NODES, tolerance: SERIES * self.tolerance };
         let policy = ProfilePolicy { series, ..self.rule(grid).policy(place) };
         let ideally = |plan: IdealPlan| self.ideal_contacts(grid, &plan).map(|contacts| (plan, contacts));
-        let begun = self.begun(task, ratio, &ideally)?;
-        let (ideal, ideal_record) = self.settled(task, begun, ROUNDS, ideally);
+        let begun = self.begun(task, trials, ratio, &ideally)?;
+        let (ideal, ideal_record) = self.settled(task, trials, begun, ROUNDS, ideally);
+        let off = ideal_record.iter().copied().fold(f64::INFINITY, f64::min);
+        if which_dressed == Dressed::Promising
+            && let Some(failed) = self.unpromising(task, ratio, &ideal, off)
+        {
+            return Err(failed);
+        }
         let margin = self.margin(&ideal.made, &ideal.contacts).max(DRESSING_MARGIN);
         let dressed = |plan: IdealPlan| self.equipped(&plan, policy, grid, margin);
         let (made, contacts) = dressed(ideal.made)?;
         let begun = CarriedOut { fit: ideal.fit, made, contacts };
-        let (dressed, dressed_record) = self.settled(task, begun, DRESSED_ROUNDS, dressed);
+        let (dressed, dressed_record) = self.settled(task, trials, begun, DRESSED_ROUNDS, dressed);
         self.unbroken(grid, &dressed.contacts)?;
         let folds = dressed.fit.least_between(&dressed.contacts) < FOLDED * self.least_determinant;
         self.on_the_worm(&dressed.contacts)?;
@@ -355,7 +476,7 @@ impl PlanTask<'_> {
         equipped.ideal.outside = dressed.fit.off;
         let candidate = self.candidate_of(&equipped, grid, ratio, place);
         if let (None, Some(refusal)) = (self.ratio, &candidate.refusal) {
-            return Err(refusal.clone());
+            return Err(refusal.clone().into());
         }
         let rule = self.rule(grid);
         let (mut candidates, failed) = match ruled {
@@ -376,7 +497,7 @@ impl PlanTask<'_> {
         let plan = self.finish(equipped, choice, policy, grid, records)?;
         if plan.determinant < self.least_determinant {
             let (ratio, limit) = (plan.determinant, self.least_determinant);
-            return Err(GeneratingError::EnvelopeBroken { flank: rule.which()[0], ratio, limit });
+            return Err(GeneratingError::EnvelopeBroken { flank: rule.which()[0], ratio, limit }.into());
         }
         // What folds between the points of the grid may look well on them.
         let strain = self.strain_of(&plan) + if folds { self.tolerance } else { 0.0 };
@@ -388,10 +509,12 @@ impl PlanTask<'_> {
     fn begun<'f>(
         &self,
         task: &'f BestFitTask<'_>,
+        trials: &Trials<'_>,
         ratio: f64,
         carried_out: &impl Fn(IdealPlan) -> Result<(IdealPlan, Sides<Option<Contacts>>), GeneratingError>,
     ) -> Result<CarriedOut<'f, IdealPlan>, GeneratingError> {
         let at = |way: Way, part: f64| {
+            trials.count();
             let fit = task.at(ratio, way.aim(part))?;
             let (made, contacts) = task.plan(&fit).and_then(carried_out)?;
             Ok::<_, GeneratingError>(CarriedOut { fit, made, contacts })
@@ -410,6 +533,7 @@ impl PlanTask<'_> {
             let step = Step { share, hold: HOLD, near };
             let Some(mut fit) = begun.fit.next(self.setup, &begun.contacts, step) else { break };
             let next = loop {
+                trials.count();
                 let carried = task.plan(&fit).and_then(carried_out);
                 if let Ok((made, contacts)) = carried {
                     break Some(CarriedOut { fit, made, contacts });
@@ -434,6 +558,7 @@ impl PlanTask<'_> {
     fn settled<'f, T>(
         &self,
         task: &BestFitTask<'_>,
+        trials: &Trials<'_>,
         CarriedOut { mut fit, mut made, mut contacts }: CarriedOut<'f, T>,
         rounds: usize,
         carried_out: impl Fn(IdealPlan) -> Result<(T, Sides<Option<Contacts>>), GeneratingError>,
@@ -455,6 +580,7 @@ impl PlanTask<'_> {
                 let kept = 1.0 - f64::powi(0.5, gently);
                 let step = Step { share: 1.0, hold, near: near.max(kept * off / self.tolerance) };
                 let Some(mut tried) = fit.next(self.setup, &contacts, step) else { break };
+                trials.count();
                 let carried = task.plan(&tried).and_then(&carried_out).ok();
                 let now = carried.as_ref().map(|(_, at)| judge(&mut tried, at));
                 record.extend(now);

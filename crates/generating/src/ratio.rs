@@ -260,7 +260,7 @@ impl Rule<'_> {
         }
     }
 
-    /// Judges a ratio; `Err` only if it cannot be evaluated.
+    /// Judges a ratio; `Err` only if it cannot be evaluated, or where named ratios are sought and its ideal tool misses the target.
     pub fn judge(&self, ratio: f64, place: ProfilePlace) -> Result<Candidate, GeneratingError> {
         let policy = self.policy(place);
         let feed = FeedLaw::Ratio(ratio);
@@ -269,6 +269,23 @@ impl Rule<'_> {
         let weights = self.grid.weights(self.tolerance_map);
         if error.weighed_max(&weights) > self.tolerance / 2.0 {
             (plan, error, _) = correct(ROUNDS)?;
+        }
+        let off = error.weighed_max(&weights);
+        let sound = || {
+            let limit = LEAST_DETERMINANT.max(self.least_determinant);
+            if error.determinant < limit {
+                let ratio = error.determinant;
+                return Err(GeneratingError::EnvelopeBroken { flank: self.which()[0], ratio, limit });
+            }
+            if off > self.tolerance / 2.0 {
+                let (error_um, allowed_um) = (off * 1e3, self.tolerance * 500.0);
+                return Err(GeneratingError::ModelError { ratio, error_um, allowed_um });
+            }
+            Ok(())
+        };
+        if self.search == Search::Named {
+            // What the axes would be asked for takes most of the time, and another way is at hand.
+            sound()?;
         }
         let mut dressing_share: f64 = 0.0;
         let mut worst = (0, 0.0);
@@ -302,19 +319,7 @@ impl Rule<'_> {
         let refusal = self
             .check_width(occupation, ratio)
             .and_then(|()| self.check_axes(dressing_share, worst, delta_d))
-            .and_then(|()| {
-                let limit = LEAST_DETERMINANT.max(self.least_determinant);
-                if error.determinant < limit {
-                    let ratio = error.determinant;
-                    return Err(GeneratingError::EnvelopeBroken { flank: self.which()[0], ratio, limit });
-                }
-                let off = error.weighed_max(&weights);
-                if off > self.tolerance / 2.0 {
-                    let (error_um, allowed_um) = (off * 1e3, self.tolerance * 500.0);
-                    return Err(GeneratingError::ModelError { ratio, error_um, allowed_um });
-                }
-                Ok(())
-            })
+            .and_then(|()| sound())
             .err();
         Ok(Candidate {
             ratio,

@@ -98,7 +98,7 @@ fn places(
     Ok(b)
 }
 
-/// DK(v) as Chebyshev series over the plan's interval; nodes are solved outwards from the middle, each from its neighbour.
+/// DK(v) as Chebyshev series over the plan's interval; nodes are solved outwards from the middle, each from its neighbours.
 ///
 /// # Errors
 /// Those of [`solve_conditions_at`] at the first node that fails; [`DressingError::InvalidNumber`] for a plan without nodes or
@@ -160,7 +160,23 @@ pub fn residue_of_motion(
     points.iter().map(left).collect()
 }
 
-/// DK(v) through the nodes of a plan, each solved from its neighbour, outwards from the middle.
+/// Nodes whose polynomial tells where the next one is sought.
+const FOLLOWED: usize = 3;
+
+/// The correction at v on the polynomial through known ones.
+fn expected(known: &[(f64, DressingCorrection)], v: f64) -> DressingCorrection {
+    let mut sum = [0.0; 4];
+    for (i, (at, dk)) in known.iter().enumerate() {
+        let others = known.iter().enumerate().filter(|(j, _)| *j != i);
+        let weight: f64 = others.map(|(_, (other, _))| (v - other) / (at - other)).product();
+        for j in 0..4 {
+            sum[j] += weight * dk[j];
+        }
+    }
+    sum
+}
+
+/// DK(v) through the nodes of a plan, outwards from the middle, each sought where its neighbours let expect it.
 pub(crate) fn follow_nodes(
     plan: &NodePlan,
     mut solve: impl FnMut(f64, &DressingCorrection) -> Result<DressingCorrection, DressingError>,
@@ -177,12 +193,19 @@ pub(crate) fn follow_nodes(
     let nodes = Chebyshev::nodes(from, to, plan.nodes);
     let middle = plan.nodes / 2;
     let mut solved: Vec<Option<DressingCorrection>> = vec![None; plan.nodes];
-    let mut order: Vec<(usize, Option<usize>)> = vec![(middle, None)];
-    order.extend((middle + 1..plan.nodes).map(|k| (k, Some(k - 1))));
-    order.extend((0..middle).rev().map(|k| (k, Some(k + 1))));
-    for (k, neighbour) in order {
-        let start = neighbour.and_then(|n| solved[n]).unwrap_or([0.0; 4]);
-        solved[k] = Some(solve(nodes[k], &start)?);
+    // Each node with its neighbours that are solved before it, the nearest first.
+    let mut order: Vec<(usize, Vec<usize>)> = vec![(middle, Vec::new())];
+    order.extend((middle + 1..plan.nodes).map(|k| (k, (middle..k).rev().take(FOLLOWED).collect())));
+    order.extend((0..middle).rev().map(|k| (k, (k + 1..plan.nodes).take(FOLLOWED).collect())));
+    for (k, neighbours) in order {
+        let known: Vec<(f64, DressingCorrection)> =
+            neighbours.iter().filter_map(|&n| Some((nodes[n], solved[n]?))).collect();
+        let nearest = known.first().map_or([0.0; 4], |known| known.1);
+        let found = match known.len() {
+            0 | 1 => solve(nodes[k], &nearest),
+            _ => solve(nodes[k], &expected(&known, nodes[k])).or_else(|_| solve(nodes[k], &nearest)),
+        };
+        solved[k] = Some(found?);
     }
     let values: Vec<DressingCorrection> = solved.into_iter().flatten().collect();
     let series = std::array::from_fn(|j| {

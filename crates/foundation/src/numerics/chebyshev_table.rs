@@ -49,7 +49,9 @@ impl<const N: usize> ChebyshevTable<N> {
         let mut sums = [0.0; N];
         let (mut t0, mut t1) = (1.0, t);
         for row in &self.rows {
-            sums.iter_mut().zip(row).for_each(|(sum, c)| *sum += t0 * c);
+            for k in 0..N {
+                sums[k] += t0 * row[k];
+            }
             (t0, t1) = (t1, 2.0 * t * t1 - t0);
         }
         sums

@@ -137,13 +137,16 @@ impl<'a> FlankFit<'a> {
         self.w.iter().zip(&self.sections).flat_map(|(&w, s)| self.z.iter().map(move |&z| (s, w, z)))
     }
 
-    /// The flank of least squares of least cost; `None` where nothing is finite.
+    /// The flank of least squares of least cost, from smooth to rough until curvature alone costs more; `None` where nothing is finite.
     fn planned(&self, share: f64, near: f64) -> Option<PlannedFlank> {
         let smoother = self.smoother();
         let mut best: Option<PlannedFlank> = None;
         for smoothness in SMOOTHNESS {
             let Some(x) = smoother.fit(smoothness, 0.0) else { continue };
-            let Some(planned) = self.planned_by(x, share, near) else { continue };
+            let Some((planned, bent)) = self.planned_by(x, share, near) else { continue };
+            if best.as_ref().is_some_and(|known| known.cost <= bent) {
+                break;
+            }
             if best.as_ref().is_none_or(|known| planned.cost < known.cost) {
                 best = Some(planned);
             }
@@ -155,15 +158,16 @@ impl<'a> FlankFit<'a> {
         Smoother::new(&self.bases, &self.rows, self.wanted)
     }
 
-    /// A share of the flank with these coefficients.
-    fn planned_by(&self, mut x: Vec<f64>, share: f64, near: f64) -> Option<PlannedFlank> {
+    /// A share of the flank with these coefficients, and what its curvature costs.
+    fn planned_by(&self, mut x: Vec<f64>, share: f64, near: f64) -> Option<(PlannedFlank, f64)> {
         x.iter_mut().for_each(|x| *x *= share);
         let functions = self.bases.functions(&x).ok()?;
         let curvature = extremes(
             self.points().flat_map(|(section, w, z)| self.envelope.foot(section, &functions, w, z).curvature),
         );
         let bent = f64::max(curvature[0] / CURVATURE[0], curvature[1] / CURVATURE[1]);
-        Some(PlannedFlank { functions, cost: (NEAR / near * self.missed_by(&x, share)).max(bent) })
+        let cost = (NEAR / near * self.missed_by(&x, share)).max(bent);
+        Some((PlannedFlank { functions, cost }, bent))
     }
 
     /// What a flank with these coefficients leaves of a share of what is wanted, in tolerances.

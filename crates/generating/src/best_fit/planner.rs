@@ -163,6 +163,11 @@ impl<'a> BestFitTask<'a> {
         &self.which
     }
 
+    /// What its fits keep to.
+    pub fn within(&self) -> Within {
+        self.within
+    }
+
     /// What the flank that fares worse leaves at one ratio at least, in tolerances.
     pub fn least_at(&self, ratio: f64, least_determinant: f64, limits: Limits) -> Option<f64> {
         let fits = self.fits(ratio).ok()?;

@@ -4,7 +4,7 @@
 use super::bases::{Bases, Kind, Place};
 use super::envelope::{Envelope, Section};
 use super::within::{LARGEST_BEND, Within};
-use foundation::inverse::{Affine, ConeOptimum, ConeProgramme};
+use foundation::inverse::{Affine, Band, ConeOptimum, ConeProgramme};
 use nalgebra::{DMatrix, DVector, Matrix2, Vector2};
 
 /// What is meant by the functions, and how far they may be curved over the gap. A bend of 0 costs nothing: crests at a determinant ratio of 0.6,
@@ -146,7 +146,8 @@ impl FlankProgramme<'_> {
     /// Coefficients, mm, and what they cost: no more than `near` where nothing is difficult, 1 about at the tolerance. `None` if the programme cannot be solved.
     pub fn solve(&self) -> Option<(Vec<f64>, f64)> {
         let columns = self.bases.columns();
-        let mut programme = ConeProgramme { cost: vec![0.0; columns + 2], ..ConeProgramme::default() };
+        let mut programme =
+            ConeProgramme { cost: vec![0.0; columns + 2], common: 2, ..ConeProgramme::default() };
         let (excess, bend) = (columns, columns + 1);
         programme.cost[excess] = EXCESS;
         programme.cost[bend] = BEND;
@@ -172,7 +173,8 @@ impl FlankProgramme<'_> {
     /// the curvature at no bend. `None` if the programme cannot be solved.
     pub fn least_excess(&self, limits: Limits) -> Option<f64> {
         let columns = self.bases.columns();
-        let mut programme = ConeProgramme { cost: vec![0.0; columns + 2], ..ConeProgramme::default() };
+        let mut programme =
+            ConeProgramme { cost: vec![0.0; columns + 2], common: 2, ..ConeProgramme::default() };
         let (excess, bend) = (columns, columns + 1);
         programme.cost[excess] = 1.0;
         programme.positive.push(Affine { entries: vec![(excess, 1.0)], constant: 0.0 });
@@ -308,15 +310,16 @@ impl FlankProgramme<'_> {
                 left.extend(right);
                 left
             };
-            let difference = Affine { entries: joined(scaled(&a, 0.5), scaled(&c, -0.5)), constant: 0.0 };
-            let mixed = Affine { entries: scaled(&b, 1.0), constant: 0.0 };
-            for (side, sign) in [(0, 1.0), (1, -1.0)] {
-                // A crest's command is curved against the gap: its least eigenvalue is bounded from below.
-                let mut entries = joined(scaled(&a, 0.5 * sign), scaled(&c, 0.5 * sign));
-                entries.push((bend, self.curvature.by_bend[side].abs()));
-                let room = Affine { entries, constant: self.curvature.free[side].abs() };
-                programme.cones.push([room, difference.clone(), mixed.clone()]);
-            }
+            // A crest's command is curved against the gap: its least eigenvalue is bounded from below.
+            let end = |side: usize| Affine {
+                entries: vec![(bend, self.curvature.by_bend[side].abs())],
+                constant: self.curvature.free[side].abs(),
+            };
+            programme.bands.push(Band {
+                middle: joined(scaled(&a, 0.5), scaled(&c, 0.5)),
+                others: [joined(scaled(&a, 0.5), scaled(&c, -0.5)), scaled(&b, 1.0)],
+                ends: [end(0), end(1)],
+            });
         }
         Some(())
     }

@@ -2,6 +2,7 @@
 //! decompositions with the same sum.
 
 use super::bases::{Bases, Kind, Place};
+use foundation::inverse::PanelCholesky;
 use nalgebra::{DMatrix, DVector};
 
 /// Weight of the second differences against that of the third: chooses among equal decompositions and hardly bends anything.
@@ -92,7 +93,7 @@ impl<'a> Smoother<'a> {
             block.straight_beyond(beyond, &mut form);
             add_form(&mut matrix, form);
         }
-        let solved = matrix.cholesky()?.solve(right);
-        solved.iter().all(|x| x.is_finite()).then(|| solved.iter().copied().collect())
+        let solved = PanelCholesky::new(&matrix)?.solve(right.as_slice());
+        solved.iter().all(|x| x.is_finite()).then_some(solved)
     }
 }

@@ -1,6 +1,8 @@
 //! Convex quadratic programmes with linear bounds and bounds on the size of numbers and the length of vectors, by interior points. Knows no gears.
 
 mod dense_interior_points;
+mod parts;
+mod rows;
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
@@ -14,6 +16,30 @@ pub struct Affine {
     pub entries: Vec<(usize, f64)>,
     /// Constant.
     pub constant: f64,
+}
+
+/// Affine bounds on both sides of a number that is away from them by the length of a vector at least.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Band {
+    /// Entries (column, factor) of the number; those of the last, common variables have no place here and in `others`.
+    pub middle: Vec<(usize, f64)>,
+    /// Entries of the vector.
+    pub others: [Vec<(usize, f64)>; 2],
+    /// ends[0] + middle and ends[1] - middle are no smaller than the length of the vector; entries of common variables only.
+    pub ends: [Affine; 2],
+}
+
+impl Band {
+    /// Its two cones.
+    fn cones(&self) -> [[Affine; 3]; 2] {
+        let vector = || self.others.clone().map(|entries| Affine { entries, constant: 0.0 });
+        [(&self.ends[0], 1.0), (&self.ends[1], -1.0)].map(|(end, sign)| {
+            let [b, c] = vector();
+            let middle = self.middle.iter().map(|&(column, factor)| (column, sign * factor));
+            let entries = middle.chain(end.entries.iter().copied()).collect();
+            [Affine { entries, constant: end.constant }, b, c]
+        })
+    }
 }
 
 /// min x.P.x/2 + c.x with affine functions of x that are not negative, and others that are no smaller than the size of another or the length of
@@ -30,6 +56,10 @@ pub struct ConeProgramme {
     pub strips: Vec<[Affine; 2]>,
     /// Of each the first is at least the length of the vector of the others.
     pub cones: Vec<[Affine; 3]>,
+    /// Two cones each with the same rows.
+    pub bands: Vec<Band>,
+    /// So many variables, the last ones, stand in many bounds.
+    pub common: usize,
 }
 
 /// Where a programme ends.
@@ -53,8 +83,9 @@ impl ConeProgramme {
 
     fn solve_sparse(&self, accuracy: f64) -> Option<ConeOptimum> {
         let columns = self.cost.len();
-        let all =
-            || self.positive.iter().chain(self.strips.iter().flatten()).chain(self.cones.iter().flatten());
+        let cones: Vec<[Affine; 3]> =
+            self.cones.iter().cloned().chain(self.bands.iter().flat_map(Band::cones)).collect();
+        let all = || self.positive.iter().chain(self.strips.iter().flatten()).chain(cones.iter().flatten());
         let (mut rows, mut places, mut values, mut right) = (vec![], vec![], vec![], vec![]);
         // Clarabel's form: right - A x in the cone.
         for (row, affine) in all().enumerate() {
@@ -73,9 +104,9 @@ impl ConeProgramme {
             values.push(value);
         }
         let p = CscMatrix::new_from_triplets(columns, columns, rows, places, values);
-        let mut cones = vec![NonnegativeConeT(self.positive.len())];
-        cones.extend(self.strips.iter().map(|_| SecondOrderConeT(2)));
-        cones.extend(self.cones.iter().map(|_| SecondOrderConeT(3)));
+        let mut kinds = vec![NonnegativeConeT(self.positive.len())];
+        kinds.extend(self.strips.iter().map(|_| SecondOrderConeT(2)));
+        kinds.extend(cones.iter().map(|_| SecondOrderConeT(3)));
         let settings = DefaultSettings {
             verbose: false,
             max_threads: 1,
@@ -88,7 +119,7 @@ impl ConeProgramme {
             iterative_refinement_abstol: REFINED * accuracy,
             ..DefaultSettings::default()
         };
-        let mut solver = DefaultSolver::new(&p, &self.cost, &a, &right, &cones, settings).ok()?;
+        let mut solver = DefaultSolver::new(&p, &self.cost, &a, &right, &kinds, settings).ok()?;
         solver.solve();
         let solution = &solver.solution;
         let good = matches!(solution.status, SolverStatus::Solved | SolverStatus::AlmostSolved);
@@ -114,6 +145,7 @@ mod tests {
             positive: Vec::new(),
             strips: Vec::new(),
             cones: vec![[affine([], 1.0), affine([(0, 1.0)], 0.0), affine([(1, 1.0)], 0.0)]],
+            ..ConeProgramme::default()
         };
         let disc = programme.solve(1e-9).unwrap();
         assert!((disc.x[0] - 0.6).abs() < 1e-6 && (disc.x[1] - 0.8).abs() < 1e-6, "{disc:?}");
@@ -142,7 +174,11 @@ mod tests {
                 let first = affine([(k, 1.0), (k - 1, -1.0)], 0.01 * number(2 * k));
                 let second = affine([(k + 1, 1.0), (k, -1.0)], 0.0);
                 programme.cones.push([affine([(columns, 0.3)], 0.1), first, second]);
+                let ends = [affine([(columns, 0.2)], 0.3), affine([(columns, 0.1)], 0.2)];
+                let others = [vec![(k - 1, 0.1)], vec![(k, -0.2), (k + 1, 0.3)]];
+                programme.bands.push(Band { middle: vec![(k, 0.5)], others, ends });
             }
+            programme.common = seed % 2;
             let dense = dense_interior_points::solve(&programme, 1e-8).unwrap();
             let sparse = programme.solve_sparse(1e-8).unwrap();
             let apart = dense.x.iter().zip(&sparse.x).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
