@@ -91,7 +91,7 @@ fn rate_map(cycle: &Cycle, k: usize) -> RateMapResult {
     RateMapResult { flanks, feed_mm: feeds }
 }
 
-/// What is said of each flank that a stroke grinds.
+/// A figure of each flank that a stroke grinds.
 fn of_ground<T>(figures: &StrokeFigures, of: impl Fn(Flank) -> T) -> Sides<Option<T>> {
     Sides::from_fn(|flank| figures.stroke.ground.has(flank).then(|| of(flank)))
 }

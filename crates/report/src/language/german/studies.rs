@@ -19,7 +19,6 @@ pub(super) const TEXTS: &[Text] = &[
     ),
     ("Below: {}.", "Darunter: {}."),
     ("Life", "Leben"),
-    ("Dressing", "Abrichten"),
     ("Diameters", "Durchmesser"),
     ("One worm over its life", "Eine Schnecke über ihr Leben"),
     ("Tip diameter of the worm [mm]", "Kopfkreisdurchmesser der Schnecke [mm]"),
@@ -31,7 +30,6 @@ pub(super) const TEXTS: &[Text] = &[
     ("Last usable tip diameter", "Letzter brauchbarer Kopfkreisdurchmesser"),
     ("Why not met", "Warum verfehlt"),
     ("Worm speed", "Schneckendrehzahl"),
-    ("worm", "Schnecke"),
     ("as made", "wie gefertigt"),
     (
         "Each diameter is planned by itself, dressed by the dresser of the new worm, and judged by simulated material removal.",
