@@ -200,16 +200,12 @@ impl StockField {
         self.stock.map[flank].iter().flat_map(|map| map.faces().iter().copied()).filter(inside).collect()
     }
 
-    /// How much the stock bends between its breaks.
-    pub(crate) fn bend(&self) -> Bend {
-        if self.stock.hob.is_some() {
-            Bend::Marks
-        } else if self.stock.terms.iter().any(|term| term.i + term.j > 1) {
-            Bend::Terms
-        } else if self.stock.run_out.is_some() {
-            Bend::Slight
-        } else {
-            Bend::None
+    /// What bends the stock between its breaks.
+    pub(crate) fn bends(&self) -> Bends {
+        Bends {
+            run_out: self.stock.run_out.is_some(),
+            terms: self.stock.terms.iter().any(|term| term.i + term.j > 1),
+            marks: self.stock.hob.is_some(),
         }
     }
 
@@ -269,17 +265,15 @@ impl StockField {
     }
 }
 
-/// How much stock bends between the places where its slope jumps.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Bend {
-    /// It is linear along the profile and along the face width.
-    None,
+/// What bends the stock between the places where its slope jumps; without any it is linear along the profile and along the face width.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bends {
     /// The normal turns a little along the face, as run-out shows.
-    Slight,
+    pub run_out: bool,
     /// Polynomial terms.
-    Terms,
+    pub terms: bool,
     /// Marks of a hob.
-    Marks,
+    pub marks: bool,
 }
 
 /// Stock of a place in every space, and the flank's normal there in the transverse section.

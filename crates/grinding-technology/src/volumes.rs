@@ -2,7 +2,7 @@
 
 use super::column::above;
 use super::sampled::{area_weights, rolls};
-use super::stock::Bend;
+use super::stock::Bends;
 use super::{Bodies, StockField};
 use foundation::geometry::Flank;
 use foundation::numerics::equidistant;
@@ -10,13 +10,14 @@ use rayon::prelude::*;
 
 /// Intervals along each piece of the profile between breaks, and along the face width. What the strokes leave cuts through stock that is
 /// linear between its breaks too: the profile needs intervals for that, a line along the face width none.
-fn intervals(bend: Bend) -> [usize; 2] {
-    match bend {
-        Bend::None => [48, 1],
-        Bend::Slight => [48, 64],
-        Bend::Terms => [96, 192],
-        Bend::Marks => [96, 320],
-    }
+fn intervals(Bends { run_out, terms, marks }: Bends) -> [usize; 2] {
+    let along_face = match (marks, terms, run_out) {
+        (true, ..) => 320,
+        (false, true, _) => 192,
+        (false, false, true) => 64,
+        (false, false, false) => 1,
+    };
+    [if terms { 96 } else { 48 }, along_face]
 }
 
 /// Volume of each space in each band `[low, high]` of height, mm^3: `[band][space]`; one space where all are alike.
@@ -27,7 +28,7 @@ pub(crate) fn volumes(
     bands: &[[f64; 2]],
 ) -> Vec<Vec<f64>> {
     // The area's density is linear: constant stock needs no more than its ends.
-    let along_profile = if field.is_constant() { 1 } else { intervals(field.bend())[0] };
+    let along_profile = if field.is_constant() { 1 } else { intervals(field.bends())[0] };
     let engagement = &bodies.flanks[flank];
     let w = rolls(field, bodies, flank, along_profile);
     let z = face_places(field, bodies, flank);
@@ -68,7 +69,7 @@ fn face_places(field: &StockField, bodies: &Bodies, flank: Flank) -> Vec<f64> {
     let mut ends = vec![-half];
     ends.extend(field.face_breaks(flank));
     ends.push(half);
-    let each = intervals(field.bend())[1].div_ceil(ends.len() - 1);
+    let each = intervals(field.bends())[1].div_ceil(ends.len() - 1);
     let mut places: Vec<f64> =
         ends.windows(2).flat_map(|ends| equidistant([ends[0], ends[1]], each + 1)).collect();
     places.dedup();
