@@ -17,7 +17,7 @@ fn intervals(Bends { run_out, terms, marks }: Bends) -> [usize; 2] {
         (false, false, true) => 64,
         (false, false, false) => 1,
     };
-    [if terms { 96 } else { 48 }, along_face]
+    [if terms { 96 } else { 32 }, along_face]
 }
 
 /// Volume of each space in each band `[low, high]` of height, mm^3: `[band][space]`; one space where all are alike.
