@@ -4,12 +4,14 @@
 use std::fmt::Write;
 
 use flankwright::exchange::inspection::{
-    MeasuredTable, Topography, Trace, parse_measured_table, topography_table, trace_table,
+    GridSize, MeasuredTable, Topography, Touched, Trace, parse_grid_table, parse_measured_table,
+    topography_table, trace_table,
 };
 use flankwright::exchange::milling_job::{BladePoints, BladeSide, parse_point_grid};
 use flankwright::exchange::{
-    GridTarget, Source, parse_grid_target, parse_points, parse_reference_train, parse_skiving_readings,
-    parse_stock, parse_tolerances, parse_traces, readings_table,
+    GridTarget, Source, parse_grid_target, parse_measured_worm, parse_points, parse_probe_values,
+    parse_profile, parse_reference_train, parse_skiving_readings, parse_stock, parse_tolerances,
+    parse_traces, probe_table, readings_table,
 };
 use flankwright::process::skiving::measuring::Reading;
 
@@ -22,6 +24,7 @@ const TRACKS: usize = 5;
 pub fn measured_table(data: &[u8]) {
     let Some(source) = taken(Source::from_bytes("measured.csv", data)) else { return };
     let rows = rows(source.text(), &['\n', '\r']);
+    grid(&source, rows);
     match taken(parse_measured_table(source)) {
         Some(MeasuredTable::Traces(traces)) => {
             assert_eq!(traces.iter().map(|trace| trace.f_um.len()).sum::<usize>() + 1, rows);
@@ -35,11 +38,28 @@ pub fn measured_table(data: &[u8]) {
     }
 }
 
+/// Points of a bevel gear's measuring grid.
+fn grid(source: &Source, rows: usize) {
+    let size = GridSize { teeth: 16, rows: 5, columns: 9 };
+    let Some(points) = taken(parse_grid_table(source.clone(), size)) else { return };
+    assert_eq!(points.len() + 1, rows);
+    for point in points {
+        assert!((1..=size.teeth).contains(&point.tooth));
+        assert!((1..=size.rows).contains(&point.row) && (1..=size.columns).contains(&point.column));
+        match point.found {
+            Touched::Deviation(um) => assert!(!um.is_infinite()),
+            Touched::At(place) => assert!(place.iter().all(|x| x.is_finite())),
+        }
+    }
+}
+
 /// What jobs name: targets, traces, tolerances, clouds of points, rows of points in space, readings of a light barrier, stock, reference pulses.
 pub fn table(data: &[u8]) {
     let Some(source) = taken(Source::from_bytes("table.csv", data)) else { return };
     grids(&source);
     readings(&source);
+    probe(&source);
+    measured_worm(&source);
     stock(&source);
     taken(parse_reference_train(source));
 }
@@ -94,6 +114,11 @@ fn grids(source: &Source) {
         assert!(points.iter().flatten().all(|v| v.is_finite()));
         assert_eq!(points.len() + 1, rows(source.text(), &['\n']));
     }
+    if let Some(points) = taken(parse_profile(source.clone())) {
+        // Places without a value are left out.
+        assert!(points.len() < rows(source.text(), &['\n']));
+        assert!(points.iter().all(|[w, f]| *w >= 0.0 && f.abs() <= 1e5));
+    }
     let wanted = BladePoints { file: "points.csv".into(), rows: 4, columns: 4, side: BladeSide::Left };
     if let Some(grid) = taken(parse_point_grid(source.clone(), &wanted)) {
         assert_eq!(grid.points.iter().map(Vec::len).sum::<usize>(), 16);
@@ -110,6 +135,13 @@ fn grid_text(grid: &GridTarget, value: &str) -> String {
     text
 }
 
+/// Points of a worm: every row of the file is one.
+fn measured_worm(source: &Source) {
+    let Some(points) = taken(parse_measured_worm(source.clone())) else { return };
+    let mut all = points.left.iter().chain(&points.right).flatten();
+    assert!(all.all(|x| x.is_finite()));
+}
+
 /// Stock of a gear with three spaces.
 fn stock(source: &Source) {
     let Some(table) = taken(parse_stock(source.clone(), 3)) else { return };
@@ -118,6 +150,16 @@ fn stock(source: &Source) {
         let spaces = map.as_ref().map(|map| map.spaces());
         assert!(matches!(spaces, None | Some(1 | 3)) && table.left_out[flank] < 3);
     }
+}
+
+fn probe(source: &Source) {
+    let Some(values) = taken(parse_probe_values(source.clone())) else { return };
+    assert!(values.iter().all(|value| value.w.is_finite() && value.deviation.is_finite()));
+    let table = probe_table(&values).expect("a table of values");
+    assert_eq!(
+        parse_probe_values(again(table.text())).expect("the table that was written").len(),
+        values.len()
+    );
 }
 
 fn readings(source: &Source) {

@@ -63,6 +63,36 @@ pub struct ExactContact<'a, S: ToolSurface> {
     along_the_screw: bool,
 }
 
+/// Where the search for the contact of a workpiece point begins.
+struct Start<'a> {
+    target: Target,
+    kernel: Kernel<'a>,
+    /// The unmodified contact.
+    y_0: State,
+    /// Its determinant.
+    reference: f64,
+}
+
+impl Start<'_> {
+    /// Whether an iteration ended on the near branch.
+    fn accepts(&self, found: &Found) -> bool {
+        found.determinant / self.reference > 0.0
+    }
+
+    /// A contact with its difference to the unmodified one.
+    fn solution(&self, Found { y, q_2, determinant, iterations }: Found) -> (ContactSolution, State) {
+        let solution = ContactSolution {
+            f_n: (q_2 - self.target.point).dot(&self.target.n),
+            tool: (y[0], y[1]),
+            worm_angle: y[2],
+            feed: y[3],
+            determinant_ratio: determinant / self.reference,
+            iterations,
+        };
+        (solution, y - self.y_0)
+    }
+}
+
 /// Why an iteration ended without a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Lost {
@@ -208,8 +238,8 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         self.solve_from(w_2, z_2, None, &mut None).map(|(solution, _)| solution)
     }
 
-    /// Solves a grid point, starting from the correction found at a neighbour (difference to its unmodified contact). `unmodified`
-    /// holds the determinant of the unmodified contact where points of the same w share it.
+    /// Solves a grid point, starting from the correction found at a neighbour (difference to its unmodified contact), else from the
+    /// unmodified contact, else in steps.
     fn solve_from(
         &self,
         w_2: f64,
@@ -217,6 +247,16 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         neighbour: Option<&State>,
         unmodified: &mut Option<f64>,
     ) -> Result<(ContactSolution, State), ContactError> {
+        let start = self.start(w_2, z_2, unmodified)?;
+        let found = match self.found_easily(&start, neighbour) {
+            Some(found) => found,
+            None => self.step_up(&start, w_2, z_2)?,
+        };
+        Ok(start.solution(found))
+    }
+
+    /// The start at a workpiece point. `unmodified` holds the determinant of the unmodified contact where points of the same w share it.
+    fn start(&self, w_2: f64, z_2: f64, unmodified: &mut Option<f64>) -> Result<Start<'a>, ContactError> {
         let target = Target::new(&self.pair.work, w_2, z_2);
         let (y_0, pitches) = self.nominal(w_2, z_2)?;
         let mut kernel = self.kernel.clone();
@@ -231,41 +271,23 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
             }
         };
         *unmodified = self.along_the_screw.then_some(reference);
-        let accepted =
-            |found: Result<Found, Lost>| found.ok().filter(|found| found.determinant / reference > 0.0);
-        let mut found = None;
-        if let Some(delta) = neighbour {
-            found = accepted(self.newton(&kernel, self.surface, y_0 + delta, &target));
-        }
-        if found.is_none() {
-            found = accepted(self.newton(&kernel, self.surface, y_0, &target));
-        }
-        let Found { y, q_2, determinant, iterations } = match found {
-            Some(found) => found,
-            None => self.step_up(&kernel, y_0, &target, reference, w_2, z_2)?,
+        Ok(Start { target, kernel, y_0, reference })
+    }
+
+    /// The contact as it is found from that of a neighbour or from the unmodified one.
+    fn found_easily(&self, start: &Start<'_>, neighbour: Option<&State>) -> Option<Found> {
+        let from = |y: State| {
+            self.newton(&start.kernel, self.surface, y, &start.target)
+                .ok()
+                .filter(|found| start.accepts(found))
         };
-        let solution = ContactSolution {
-            f_n: (q_2 - target.point).dot(&target.n),
-            tool: (y[0], y[1]),
-            worm_angle: y[2],
-            feed: y[3],
-            determinant_ratio: determinant / reference,
-            iterations,
-        };
-        Ok((solution, y - y_0))
+        neighbour.and_then(|delta| from(start.y_0 + delta)).or_else(|| from(start.y_0))
     }
 
     /// Raises modification and corrections from zero in steps, keeping to the near branch.
-    fn step_up(
-        &self,
-        kernel: &Kernel<'_>,
-        y_0: State,
-        target: &Target,
-        reference: f64,
-        w: f64,
-        z: f64,
-    ) -> Result<Found, ContactError> {
-        let (mut share, mut step, mut y, mut last) = (0.0, 0.25, y_0, 1.0);
+    fn step_up(&self, start: &Start<'_>, w: f64, z: f64) -> Result<Found, ContactError> {
+        let Start { target, kernel, y_0, reference } = start;
+        let (mut share, mut step, mut y, mut last) = (0.0, 0.25, *y_0, 1.0);
         let mut lost = Lost::Diverged;
         while step > 1e-3 {
             let next: f64 = f64::min(share + step, 1.0);
@@ -273,7 +295,7 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
             let scaled = Kernel::new(&motion, kernel.phase);
             let surface = self.surface.with_share(next);
             match self.newton(&scaled, surface.as_ref(), y, target) {
-                Ok(found) if found.determinant / reference > 0.0 => {
+                Ok(found) if start.accepts(&found) => {
                     last = found.determinant / reference;
                     (share, y) = (next, found.y);
                     if share >= 1.0 {
@@ -310,6 +332,22 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
             })
         })?;
         Ok(rows.into_iter().flatten().collect())
+    }
+
+    /// The solutions on the grid that are found from their neighbours or from the unmodified contact, each with its place in the row-major
+    /// order: for a surface that leaves no contact somewhere.
+    pub fn solve_grid_where_easy(&self, w: &[f64], z: &[f64]) -> Vec<(usize, ContactSolution)> {
+        let rows = from_the_middle(w, None, |w_2, start| {
+            let mut unmodified = None;
+            from_the_middle(z, start, |z_2, neighbour| {
+                let start = self.start(w_2, z_2, &mut unmodified).ok();
+                let found = start
+                    .and_then(|start| Some(start.solution(self.found_easily(&start, neighbour.as_ref())?)));
+                Ok(found.unzip())
+            })
+        });
+        let solved = rows.into_iter().flat_map(|(rows, _)| rows.into_iter().flatten());
+        solved.enumerate().filter_map(|(k, found)| Some((k, found?))).collect()
     }
 
     /// Derivatives of f_n2 at a solution, exact at finite modification.

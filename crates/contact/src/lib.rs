@@ -21,8 +21,8 @@ pub use exact::{ContactSolution, ExactContact, Measure, Sensitivities};
 pub use pair::{FlankPair, Pair};
 pub use relative_curvature::RelativeCurvature;
 pub use rolled_pair::{
-    ConjugateFlanks, ContactPattern, FlankPlaces, GapField, PairGap, RollCourse, RolledGear, RolledPair,
-    overlap,
+    Arrangement, ConjugateFlanks, ContactPattern, FlankDeviation, FlankPlaces, GapField, PairGap, RollCourse,
+    RolledGear, RolledPair, overlap, parts,
 };
 pub use stand_off::{Lever, StandOff};
 pub use surface::{SurfaceJet, ToolSurface};

@@ -2,5 +2,6 @@
 
 mod gear_root;
 mod pairs;
+mod parallel_pair;
 mod properties;
 mod rolled_pair;

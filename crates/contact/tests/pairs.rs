@@ -420,6 +420,10 @@ proptest! {
                 prop_assert!((alone.feed - together.feed).abs() < 1e-9);
             }
         }
+        // All are found easily here, or from further away.
+        for (k, easy) in exact.solve_grid_where_easy(&w, &z) {
+            prop_assert!((easy.f_n - grid[k].f_n).abs() < 1e-12, "{} {}", easy.f_n, grid[k].f_n);
+        }
     }
 }
 
@@ -557,6 +561,9 @@ fn contacts_that_do_not_exist_are_refused() {
     refused(exact.solve(f64::NAN, 0.0), "no-start", &["NaN"]);
     refused(exact.solve(14.0, f64::INFINITY), "no-start", &["inf"]);
     refused(exact.solve_grid(&[14.0, 500.0], &[0.0, 1.0]), "contact-below-base", &["500"]);
+    // What is there is found beside what is not.
+    let easy = exact.solve_grid_where_easy(&[14.0, 500.0], &[0.0, 1.0]);
+    assert_eq!(easy.iter().map(|(k, _)| *k).collect::<Vec<_>>(), [0, 1]);
     let ending = Ending(-1000.0);
     let short = ModifiedThread::new(pair.flanks.left.worm, &ending);
     let exact = ExactContact::new(&pair, Flank::Left, &motion, &short);

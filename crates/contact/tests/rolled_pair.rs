@@ -1,10 +1,11 @@
 //! A bevel pair rolled against each other shows contact where its ease-off says (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use contact::{
-    ConjugateFlanks, ContactPattern, FlankPlaces, GapField, RollCourse, RolledGear, RolledPair, overlap,
+    Arrangement, ConjugateFlanks, ContactPattern, FlankPlaces, GapField, RollCourse, RolledGear, RolledPair,
+    overlap,
 };
 use foundation::geometry::{
-    BevelData, BevelGear, EaseOff, EaseOffAmounts, Flank, Hand, Modified, NormalOffset, Octoid,
+    BevelData, BevelGear, EaseOff, EaseOffAmounts, Flank, Hand, LineForm, Modified, NormalOffset, Octoid,
     SphericalInvolute, Spiral, Surface,
 };
 use foundation::numerics::equidistant;
@@ -23,6 +24,7 @@ const TURNED: Pair = ([35, 15], 25.0, Some((35.0, 63.0)));
 
 /// Amounts in um: along, across, bias; and by which share of the flank their middle is shifted, over height and length.
 type Ease = ([f64; 3], [f64; 2]);
+const CROSSED: Arrangement = Arrangement::Crossing { shaft_angle: FRAC_PI_2 };
 const NONE: Ease = ([0.0; 3], [0.0; 2]);
 
 /// Axes at a right angle, module 5; the first gear is right-handed.
@@ -31,7 +33,7 @@ fn gears((teeth, face, spiral): Pair) -> [BevelGear; 2] {
     let gear = |teeth, angle, hand| {
         let spiral = spiral.map(|(mean_angle, cutter_radius): (f64, f64)| Spiral {
             mean_angle: mean_angle.to_radians(),
-            cutter_radius,
+            form: LineForm::Circle { radius: cutter_radius },
             hand,
         });
         let data = BevelData::new(5.0, teeth, angle, 20f64.to_radians(), face);
@@ -74,7 +76,7 @@ fn rolled(which: Pair, flank: Flank, eases: [Ease; 2]) -> Rolled {
             teeth: gears[k].data().teeth,
         }
     };
-    let pair = RolledPair::new([gear(0), gear(1)], FRAC_PI_2, flank).unwrap();
+    let pair = RolledPair::new([gear(0), gear(1)], CROSSED, flank).unwrap();
     let places = FlankPlaces {
         heights: equidistant(gears[0].heights(), 31),
         lengths: equidistant(gears[0].face(), 41),
@@ -140,7 +142,7 @@ fn octoids_touch_along_lines_too() {
             lengths: gears[k].face(),
             teeth: gears[k].data().teeth,
         };
-        let pair = RolledPair::new([gear(0), gear(1)], FRAC_PI_2, flank).unwrap();
+        let pair = RolledPair::new([gear(0), gear(1)], CROSSED, flank).unwrap();
         let [[from, to], _] = conjugate.heights();
         let place = [0.5 * (from + to), 70.0];
         let gap = pair.gap(place, conjugate.roll(place), None).unwrap();
@@ -253,7 +255,8 @@ fn what_cannot_be_rolled_is_refused() {
     };
     told(good.pair.roll(0).unwrap_err(), "invalid-number");
     let gear = good.pair.first().clone();
-    let pair = |gears, angle| RolledPair::new(gears, angle, Flank::Left);
+    let pair =
+        |gears, shaft_angle| RolledPair::new(gears, Arrangement::Crossing { shaft_angle }, Flank::Left);
     for angle in [0.0, 3.2, f64::NAN] {
         told(pair([gear.clone(), gear.clone()], angle).unwrap_err(), "invalid-number");
     }
@@ -261,6 +264,8 @@ fn what_cannot_be_rolled_is_refused() {
     told(pair([gear.clone(), none], FRAC_PI_2).unwrap_err(), "invalid-number");
     let endless = RolledGear { lengths: [0.0, f64::INFINITY], ..gear.clone() };
     told(pair([endless, gear.clone()], FRAC_PI_2).unwrap_err(), "invalid-number");
+    let apart = Arrangement::Outside { centre_distance: 0.0 };
+    told(RolledPair::new([gear.clone(), gear.clone()], apart, Flank::Left).unwrap_err(), "invalid-number");
     // Far from the apex nothing of the mate is left.
     let far = RolledGear { lengths: [500.0, 520.0], ..gear.clone() };
     told(pair([gear, far], FRAC_PI_2).unwrap().roll(POSITIONS).unwrap_err(), "flanks-do-not-mesh");

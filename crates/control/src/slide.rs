@@ -1,6 +1,8 @@
 //! How a slide moves: pieces of constant acceleration, and when it passes the lines of its scale.
 
 use super::error::{ControlError, within};
+use super::interpolation::Extremes;
+use super::line_errors::LineErrors;
 use electronic_gearbox::pulse::Direction;
 
 /// One order of a motion. mm, mm/s, mm/s^2, s.
@@ -75,6 +77,8 @@ pub struct SlideState {
 pub struct SlideMotion {
     start: f64,
     pieces: Vec<Piece>,
+    /// Of the scale that it passes.
+    lines: LineErrors,
 }
 
 /// Most lines of a scale that a motion may pass: some minutes of work, some GiB of pulses.
@@ -88,7 +92,7 @@ impl SlideMotion {
     /// [`ControlError::BadParameter`].
     pub fn from_rest(start: f64, pieces: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, ControlError> {
         within("start", start, RANGE, "-1e6 to 1e6 mm")?;
-        let mut motion = Self { start, pieces: Vec::new() };
+        let mut motion = Self { start, pieces: Vec::new(), lines: LineErrors::default() };
         let (mut time, mut position, mut speed) = (0.0, start, 0.0);
         for (duration, acceleration) in pieces {
             within("duration", duration, 0.0..=1e6, "0 to 1e6 s")?;
@@ -141,6 +145,23 @@ impl SlideMotion {
         Ok(motion)
     }
 
+    /// The same motion along a scale with these errors.
+    pub fn with_line_errors(self, lines: LineErrors) -> Self {
+        Self { lines, ..self }
+    }
+
+    /// Errors of the scale that it passes.
+    pub fn line_errors(&self) -> &LineErrors {
+        &self.lines
+    }
+
+    /// Displacements of lines over the travel, mm.
+    pub fn line_limits(&self) -> Extremes {
+        let mut travel = Extremes { least: self.start, greatest: self.start };
+        self.legs().iter().for_each(|leg| travel.add(leg.end));
+        self.lines.limits(travel, self.start)
+    }
+
     /// Length of the motion, s.
     pub fn duration(&self) -> f64 {
         self.pieces.last().map_or(0.0, |piece| piece.start + piece.duration)
@@ -186,8 +207,25 @@ impl SlideMotion {
         let legs = self.legs();
         let way: f64 = legs.iter().map(|leg| (leg.end - leg.begin).abs()).sum();
         within("lines", way / pitch, 0.0..=MOST_LINES, "0 to 2e8 lines in one motion")?;
-        let cell = (self.start / pitch).floor() as i64;
-        Ok(Crossings { legs: legs.into_iter().peekable(), pitch, cell })
+        let mut cell = (self.start / pitch).floor() as i64;
+        // The line below the start, wherever it has been displaced to.
+        while self.place_of(cell, pitch, Direction::Forward) > self.start {
+            cell -= 1;
+        }
+        while self.place_of(cell + 1, pitch, Direction::Forward) <= self.start {
+            cell += 1;
+        }
+        Ok(Crossings { motion: self, legs: legs.into_iter().peekable(), pitch, cell })
+    }
+
+    /// Where a slide that goes this way passes a line.
+    fn place_of(&self, line: i64, pitch: f64, direction: Direction) -> f64 {
+        let place = line as f64 * pitch;
+        if self.lines.is_none() {
+            place
+        } else {
+            place + self.lines.displacement(place, self.start, direction)
+        }
     }
 
     /// The pieces cut where they turn.
@@ -235,6 +273,7 @@ impl Leg<'_> {
 
 /// Finds the lines of a scale one after the other.
 pub struct Crossings<'a> {
+    motion: &'a SlideMotion,
     legs: std::iter::Peekable<std::vec::IntoIter<Leg<'a>>>,
     pitch: f64,
     /// Kept as a number: the two passages of a line on which the slide turns belong together, whatever rounding says.
@@ -248,11 +287,11 @@ impl Iterator for Crossings<'_> {
         while let Some(leg) = self.legs.peek() {
             let upwards = leg.end > leg.begin;
             let line = if upwards { self.cell + 1 } else { self.cell };
-            let place = line as f64 * self.pitch;
+            let direction = if upwards { Direction::Forward } else { Direction::Backward };
+            let place = self.motion.place_of(line, self.pitch, direction);
             let passed = if upwards { place <= leg.end } else { leg.end < place };
             if passed {
                 let time = leg.piece.start + leg.time_of(place);
-                let direction = if upwards { Direction::Forward } else { Direction::Backward };
                 self.cell += direction.sign();
                 return Some(Crossing { time, line, direction });
             }

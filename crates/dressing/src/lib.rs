@@ -16,21 +16,23 @@ pub mod other_worms;
 pub mod placement;
 pub mod strokes;
 pub mod tilt_chart;
+pub mod worm_form;
 
 pub use axes::{
     AXIS_NAMES, AxisCriterion, AxisReversal, AxisUncertainty, Influence, MachineChoice, MachineMotion,
-    MachineRow, MachineTask, MachineWay, Measurement, Quantiles, RecoveredDeviation, Recovery, Spread,
-    SpreadOfProfile, Spreads, SwivelChoice, SwivelLaw, WormContact, influence, recover_deviation,
-    spread_of_profile,
+    MachineRow, MachineTask, MachineWay, MeasuredFlank, Measurement, Quantiles, RecoveredDeviation, Recovery,
+    Spread, SpreadOfProfile, Spreads, SwivelChoice, SwivelLaw, WormContact, influence, recover_deviation,
+    recover_from_points, spread_of_profile,
 };
 pub use characteristics::{full_tip_land, quasi_static_modification, stretch};
 pub use conditions::{
     Compensated, Compensation, Condition, ConditionSolver, ConditionsAlong, CrowningEnd, CrowningLimits,
-    CrowningPoint, CrowningRange, CrowningRows, NodePlan, NodeSolution, PathReason, PitchPoint, ProfileFit,
-    RowAlong, SoftCondition, TwoFlankWish, fit_profile, fit_profile_along, fit_profile_on_path, four_points,
-    map_of_upper_end, pitch_rolls, profile_error, refit_profile, residue_of_motion, shift_through,
-    solve_conditions_along, solve_conditions_at, solve_dressing_motion, solve_two_flank_motion, three_points,
-    three_points_with_map, two_flank_points, two_flank_rolls, two_points, uncorrected_profile,
+    CrowningPoint, CrowningRange, CrowningRows, MOST_COEFFICIENTS, MOST_ROWS, NodePlan, NodeSolution,
+    PathReason, PitchPlace, PitchPoint, ProfileFit, RowAlong, RowMiss, RowSet, RowsAlong, SoftCondition,
+    WidthLaw, WishAlong, fit_profile, fit_profile_along, fit_profile_on_path, four_points, map_of_upper_end,
+    missed_rows, pitch_rolls, profile_error, refit_profile, shift_through, solve_conditions_along,
+    solve_conditions_at, solve_dressing_motion, solve_rows_along, solve_rows_at, three_points,
+    three_points_with_map, two_flank_points, two_points, uncorrected_profile,
 };
 pub use contact_line::ContactLine;
 pub use dresser::{DresserTool, FlankDresser, GeometricRange};
@@ -43,7 +45,9 @@ pub use nominal::{NominalContact, nominal_contact};
 pub use other_worms::{StretchAngle, WormSeat, angle_of_least_stretch};
 pub use placement::{DresserAxes, RoomContact, WormScrew, touch};
 pub use strokes::{
-    ActiveArea, DressedStroke, MovingStroke, MultiStroke, ProfileSection, Stroke, StrokeAlong, StrokePoint,
-    StrokeSurface, StrokeWish, StrokedPoint, StrokedWorm, divide, solve_stroke_node,
+    ActiveArea, DressedStroke, MovingSection, MovingStroke, MultiStroke, ProfileSection, Stroke, StrokeAlong,
+    StrokePoint, StrokeSection, StrokeSurface, StrokeWish, StrokedPoint, StrokedWorm, divide, divide_moving,
+    solve_stroke_node,
 };
 pub use tilt_chart::TiltChart;
+pub use worm_form::WormForm;

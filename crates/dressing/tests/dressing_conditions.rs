@@ -3,10 +3,11 @@
 
 use crate::dressing_bodies::{Bodies, CASE_A, bodies, flanks};
 use dressing::{
-    Compensation, Condition, ConditionSolver, ConditionsAlong, DressedProfile, DresserTool, DressingError,
-    NodePlan, PathReason, PitchPoint, RowAlong, SoftCondition, four_points, head_gradient, map_of_upper_end,
-    residue_of_motion, shift_through, solve_conditions_along, solve_conditions_at, solve_dressing_motion,
-    three_points, three_points_with_map, two_flank_points, two_points,
+    Compensation, Condition, ConditionSolver, DressedProfile, DressedWorm, DresserTool, DressingError,
+    NodePlan, NodeSolution, PathReason, PitchPlace, PitchPoint, RowAlong, RowSet, RowsAlong, SoftCondition,
+    WidthLaw, four_points, head_gradient, map_of_upper_end, missed_rows, shift_through,
+    solve_dressing_motion, solve_rows_along, solve_rows_at, stretch, three_points, three_points_with_map,
+    two_flank_points, two_points,
 };
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::DressingCorrection;
@@ -300,49 +301,199 @@ fn impossible_dressers_of_any_number_are_refused() {
     }
 }
 
-/// Pitch points that move along the worm, a map, a head height and a fixed axis that change with it, on both flanks.
+/// Pitch points that move over the width, maps, a stretch, head heights and a given axis that change with it, on both flanks.
 #[test]
-fn conditions_that_vary_along_the_worm_are_met_everywhere() {
+fn conditions_that_vary_over_the_width_are_met_everywhere() {
     let tool = with_head();
     let solver = ConditionSolver::new(&tool, 50.0);
     let (left, right) = (tool.flanks.left.range, tool.flanks.right.range);
-    let f = |w: f64, b: f64| 1e-3 * ((b / 23.0).sin() - 0.4 * (w - left.middle()) / left.length());
-    let f_right = |_: f64, b: f64| -1e-3 * (b / 31.0).cos();
-    let low = |b: f64| left.w_nf + 0.02 * b;
-    let middle = |b: f64| left.middle() + 0.01 * b;
-    let (top, bottom) = (|_: f64| left.w_na, |b: f64| right.w_nf + 0.2 * (b / 20.0).sin());
-    let (t, w) = (|v: f64| left.w_na - 0.01 * v, |v: f64| left.w_na - 0.012 * v);
-    let (t_h, r) = (|v: f64| 0.01 * v, |v: f64| 53.5 + 1e-4 * v);
-    let x = |v: f64| 1e-5 * v;
-    let here = |w, f| RowAlong::Point { flank: Flank::Left, w, f };
-    let there = |w, f| RowAlong::Point { flank: Flank::Right, w, f };
-    let map = RowAlong::Map { flank: Flank::Left, t: &t, w: &w };
-    let sets: [[RowAlong<'_>; 4]; 3] = [
-        [here(&low, &f), here(&middle, &f), here(&top, &f), map],
-        [here(&low, &f), here(&top, &f), there(&bottom, &f_right), RowAlong::Head { t: &t_h, r: &r }],
-        [here(&low, &f), map, there(&bottom, &f_right), RowAlong::Fixed { j: 1, x: &x }],
+    let law = |c: &[f64]| WidthLaw::new(c).unwrap();
+    let wish = |place: PitchPlace| match place.flank {
+        Flank::Left => 3e-4 * ((place.b / 23.0).sin() - 0.4 * (place.w - left.middle()) / left.length()),
+        Flank::Right => -3e-4 * (place.b / 31.0).cos(),
+    };
+    let here = |c: &[f64]| RowAlong::Point { flank: None, at: law(c) };
+    let there = |c: &[f64]| RowAlong::Point { flank: Some(Flank::Right), at: law(c) };
+    let map = RowAlong::Map { flank: None, dresser: law(&[1.0, 0.03]), at: law(&[1.0, 0.04, -0.02]) };
+    let little = RowAlong::Map { flank: None, dresser: law(&[1.0, 0.02]), at: law(&[1.0, 0.025]) };
+    let longer = RowAlong::Stretch { flank: Some(Flank::Left), stretch: law(&[0.01, 0.01]) };
+    let head = |position: f64| RowAlong::Head { position, above: law(&[0.0, 2e-4]) };
+    let (low, middle, top) = (here(&[0.05, 0.05]), here(&[0.5, 0.0, 0.04]), here(&[1.0]));
+    let fixed = RowAlong::Fixed { j: 1, x: law(&[0.0, 2e-4]) };
+    let sets: [[RowAlong; 4]; 6] = [
+        [low, middle, top, map],
+        [low, middle, top, longer],
+        [low, top, there(&[0.0, 0.03]), head(0.4)],
+        [low, top, head(-0.6), head(0.7)],
+        [low, little, there(&[0.0, 0.03]), fixed],
+        [low, middle, top, there(&[0.3, 0.1])],
     ];
+    let plan = NodePlan { interval: (-20.0, 20.0), nodes: 9 };
+    let tip = |z: f64| 53.5 + 1e-4 * z;
+    let q = |z: f64| z / 20.0;
     for rows in sets {
-        let plan = NodePlan { interval: (-20.0, 20.0), nodes: 9 };
-        let (series, nodes) = solve_conditions_along(&solver, &plan, &rows).unwrap();
+        let wanted =
+            |places: &[Option<PitchPlace>]| places.iter().map(|place| place.map_or(f64::NAN, wish)).collect();
+        let used = Sides::both([-20.0, 20.0]);
+        let conditions = RowsAlong {
+            tool: &tool,
+            flank: Flank::Left,
+            rows: RowSet::exact(rows),
+            used,
+            wanted: &wanted,
+            tip: &tip,
+        };
+        let solved = solve_rows_along(&solver, &plan, &conditions);
+        let (series, nodes) = solved.unwrap_or_else(|error| panic!("{rows:?}: {error}"));
         for node in &nodes {
-            // Where each pitch point lies: w(b) meets the line of contact b(w; DK) - v.
-            let mut b = [0.0; 4];
-            for (i, row) in rows.iter().enumerate() {
-                if let RowAlong::Point { flank, w, .. } = *row {
-                    let profile = DressedProfile::new(&tool, flank, node.dk);
-                    for _ in 0..60 {
-                        b[i] = profile.at_roll(w(b[i])).unwrap().b - node.v;
-                    }
-                }
-            }
-            let four = rows.at(node.v, &b);
-            assert!(missed(&tool, &four, node.dk) < 1e-8, "v {} {four:?}", node.v);
-            let again = solve_conditions_at(&solver, node.v, &node.dk, &rows).unwrap();
-            assert!((0..4).all(|j| (again[j] - node.dk[j]).abs() < 1e-7 * solver.scale()[j].max(1e-3)));
             assert!((0..4).all(|j| (series[j].value(node.v) - node.dk[j]).abs() < 1e-12));
+            let again = solve_rows_at(&solver, node.v, &node.dk, &conditions).unwrap();
+            assert!((0..4).all(|j| (again[j] - node.dk[j]).abs() < 1e-7 * solver.scale()[j].max(1e-3)));
+            let stands = |flank: Flank| {
+                let dresser = &tool.flanks[flank];
+                q(dresser.line.value(dresser.range.middle()) - node.v)
+            };
+            for row in &rows {
+                let missed = match *row {
+                    RowAlong::Point { flank, at } => {
+                        let flank = flank.unwrap_or(Flank::Left);
+                        let range = if flank == Flank::Left { left } else { right };
+                        // Where the pitch point lies: w(b) meets the line of contact b(w; DK) - v.
+                        let profile = DressedProfile::new(&tool, flank, node.dk);
+                        let mut b = 0.0;
+                        let w = |b: f64| range.w_nf + at.value(q(b)) * range.length();
+                        for _ in 0..60 {
+                            b = profile.at_roll(w(b)).unwrap().b - node.v;
+                        }
+                        profile.at_roll(w(b)).unwrap().f - wish(PitchPlace { flank, w: w(b), b })
+                    }
+                    RowAlong::Map { dresser, at, .. } => {
+                        let there =
+                            |law: WidthLaw| left.w_nf + law.value(stands(Flank::Left)) * left.length();
+                        let profile = DressedProfile::new(&tool, Flank::Left, node.dk);
+                        profile.at_parameter(there(dresser)).unwrap().w - there(at)
+                    }
+                    RowAlong::Stretch { stretch: wanted, .. } => {
+                        stretch(&tool, Flank::Left, node.dk).unwrap() - wanted.value(stands(Flank::Left))
+                    }
+                    RowAlong::Head { position, above } => {
+                        let z = position - node.v;
+                        let (r, _) = head_gradient(&tool, position, &node.dk).unwrap();
+                        r - tip(z) - above.value(q(z))
+                    }
+                    RowAlong::Fixed { j, x } => node.dk[j] - x.value(stands(Flank::Left)),
+                };
+                assert!(missed.abs() < 1e-8, "v {} {row:?}: {missed}", node.v);
+            }
         }
     }
+    assert_eq!(WidthLaw::new(&[0.0; 7]), None);
+}
+
+/// A wish that changes along the worm and across it.
+fn waved(place: PitchPlace) -> f64 {
+    3e-4 * ((place.b / 23.0).sin() - 0.3 * (place.w / 2.0).cos())
+}
+
+fn rows_along<'a>(
+    tool: &'a DresserTool,
+    rows: RowSet,
+    wanted: &'a dyn Fn(&[Option<PitchPlace>]) -> Vec<f64>,
+    tip: &'a dyn Fn(f64) -> f64,
+) -> RowsAlong<'a> {
+    RowsAlong { tool, flank: Flank::Left, rows, used: Sides::both([-20.0, 20.0]), wanted, tip }
+}
+
+/// Four rows with weights are as many as there are motions: they are met as exactly as without.
+#[test]
+fn four_weighed_rows_are_met_exactly() {
+    let tool = CASE_A.tool().unwrap();
+    let solver = ConditionSolver::new(&tool, 50.0);
+    let plan = NodePlan { interval: (-15.0, 15.0), nodes: 5 };
+    let wanted =
+        |places: &[Option<PitchPlace>]| places.iter().map(|place| place.map_or(f64::NAN, waved)).collect();
+    let tip = |_: f64| f64::NAN;
+    let rows = RowAlong::three_points_with_map();
+    let exact = rows_along(&tool, RowSet::exact(rows), &wanted, &tip);
+    let weighed = rows.map(|row| (row, Some(0.7)));
+    let weighed = rows_along(&tool, RowSet::weighed(&weighed).unwrap(), &wanted, &tip);
+    let (_, one) = solve_rows_along(&solver, &plan, &exact).unwrap();
+    let (_, other) = solve_rows_along(&solver, &plan, &weighed).unwrap();
+    for (one, other) in one.iter().zip(&other) {
+        assert!(one.dk.iter().any(|x| x.abs() > 1e-5));
+        for j in 0..4 {
+            assert!((one.dk[j] - other.dk[j]).abs() < 1e-6 * solver.scale()[j], "{one:?} {other:?}");
+        }
+    }
+    let left = missed_rows(&other, &weighed).unwrap();
+    assert!(left.iter().all(|miss| miss.largest < 1e-8 && miss.rms <= miss.largest), "{left:?}");
+}
+
+/// More rows than motions: no correction nearby leaves a smaller sum of squares, what is exact stays so, and a heavier row is missed by less.
+#[test]
+fn weighed_rows_leave_the_least_sum_of_squares() {
+    let tool = CASE_A.tool().unwrap();
+    let solver = ConditionSolver::new(&tool, 50.0);
+    // Over the roll only, so that the places do not count.
+    let wish = |place: PitchPlace| 2e-3 * (place.w * 1.3).sin();
+    let wanted =
+        |places: &[Option<PitchPlace>]| places.iter().map(|place| place.map_or(f64::NAN, wish)).collect();
+    let tip = |_: f64| f64::NAN;
+    let range = tool.flanks.left.range;
+    let points = [0.0, 0.2, 0.4, 0.6, 0.8, 1.0];
+    let solved = |weight: f64, exact: Option<f64>| {
+        let mut rows: Vec<(RowAlong, Option<f64>)> =
+            points.map(|at| (RowAlong::point(at), Some(if at == 0.4 { weight } else { 1.0 }))).to_vec();
+        rows.push((RowAlong::map_of_upper_end(), Some(0.2)));
+        rows.extend(exact.map(|at| (RowAlong::point(at), None)));
+        let along = rows_along(&tool, RowSet::weighed(&rows).unwrap(), &wanted, &tip);
+        let dk = solve_rows_at(&solver, 3.0, &[0.0; 4], &along).unwrap();
+        let node = NodeSolution { v: 3.0, dk };
+        (dk, missed_rows(&[node], &along).unwrap())
+    };
+    // um and per cent of the profile, by the forward calculation alone.
+    let sum = |dk: DressingCorrection| {
+        let profile = DressedProfile::new(&tool, Flank::Left, dk);
+        let at = |at: f64| {
+            let w = range.w_nf + at * range.length();
+            1e3 * (profile.at_roll(w).unwrap().f - wish(PitchPlace { flank: Flank::Left, w, b: 0.0 }))
+        };
+        let map = 100.0 * (profile.at_parameter(range.w_na).unwrap().w - range.w_na) / range.length();
+        points.iter().map(|x| at(*x).powi(2)).sum::<f64>() + (0.2 * map).powi(2)
+    };
+    let (dk, left) = solved(1.0, None);
+    let least = sum(dk);
+    let found = left.iter().take(6).map(|miss| (1e3 * miss.largest).powi(2)).sum::<f64>()
+        + (0.2 * 100.0 * left[6].largest / range.length()).powi(2);
+    assert!((found - least).abs() < 1e-9 * least && least > 0.1, "{found} {least}");
+    for j in 0..4 {
+        for step in [1e-4, -1e-4] {
+            let mut beside = dk;
+            beside[j] += step * solver.scale()[j];
+            assert!(sum(beside) > least, "{j} {step}: {} {least}", sum(beside));
+        }
+    }
+    let (_, heavier) = solved(5.0, None);
+    assert!(heavier[2].largest < 0.5 * left[2].largest, "{heavier:?} {left:?}");
+    let (exactly, held) = solved(1.0, Some(0.4));
+    assert!(held[7].largest < 1e-9 && held[2].largest < 1e-9, "{held:?}");
+    assert!(sum(exactly) > least);
+}
+
+#[test]
+fn sets_of_rows_have_a_number_that_can_be_solved() {
+    let row = |weight| (RowAlong::point(0.5), weight);
+    assert_eq!(RowSet::weighed(&[row(None); 5]), None);
+    assert_eq!(RowSet::weighed(&[row(None); 3]), None);
+    assert_eq!(RowSet::weighed(&[row(Some(1.0)); 13]), None);
+    let set = RowSet::weighed(&[row(None), row(Some(2.0))]).unwrap();
+    assert_eq!((set.rows().len(), set.weights(), set.is_weighed()), (2, [None, Some(2.0)].as_slice(), true));
+    // Two rows do not determine four motions.
+    let tool = CASE_A.tool().unwrap();
+    let wanted = |places: &[Option<PitchPlace>]| vec![0.0; places.len()];
+    let along = rows_along(&tool, set, &wanted, &|_| f64::NAN);
+    let error = solve_rows_at(&ConditionSolver::new(&tool, 50.0), 0.0, &[0.0; 4], &along).unwrap_err();
+    says(&error, "underdetermined", &["2 conditions"]);
 }
 
 #[test]
@@ -365,12 +516,12 @@ fn three_points_leave_the_residue_of_a_wave() {
         .flat_map(|i| (-10..=10).map(move |k| (i, k)))
         .map(|(i, k)| (range.w_nf + range.length() * f64::from(i) / 8.0, 3.0 * f64::from(k)))
         .collect();
-    let left = residue_of_motion(&tool, Flank::Left, &series, &crowned, &points).unwrap();
-    let largest = left.iter().fold(0.0_f64, |m, f| m.max(f.abs())) * 1e3;
+    let dressed = DressedWorm::new(&tool, Flank::Left, &series);
+    let left = points.iter().map(|&(w, b)| dressed.modification(w, b).unwrap().0 - crowned(w, b));
+    let largest = left.fold(0.0_f64, |m, f| m.max(f.abs())) * 1e3;
     // `docs/mathematics/dressing.md#conditions` states 0.10 um for this wave (on a slightly deeper range).
     assert!(largest > 0.02 && largest < 0.2, "{largest}");
-    let error = residue_of_motion(&tool, Flank::Left, &series, &crowned, &[(44.0, 500.0)]).unwrap_err();
-    says(&error, "out-of-dresser", &["left"]);
+    assert!(dressed.modification(44.0, 500.0).is_none());
     let plan = |from: f64, to: f64, nodes| NodePlan { interval: (from, to), nodes };
     for plan in [plan(1.0, 1.0, 3), plan(f64::NAN, 1.0, 3), plan(0.0, 1.0, 0)] {
         let error = solve_dressing_motion(&tool, Flank::Left, 50.0, &plan, &wanted).unwrap_err();

@@ -4,7 +4,7 @@
 use crate::dressing_bodies::{Bodies, CASE_A, bodies, flanks};
 use dressing::{
     ConditionSolver, CrowningLimits, CrowningRows, DressedProfile, DressedWorm, DresserTool, FlankDresser,
-    dressing_motion, three_points_with_map, two_flank_points,
+    MeasuredFlank, Recovery, dressing_motion, recover_from_points, three_points_with_map, two_flank_points,
 };
 use foundation::geometry::{Flank, Revolution};
 use foundation::kinematics::{DressingCorrection, DressingMotion};
@@ -195,5 +195,49 @@ fn rays_agree_up_to_the_loss_of_contact() {
             .min_by(|a, b| (a.crowning - wanted).abs().total_cmp(&(b.crowning - wanted).abs()));
         let worst = apart(dresser, at.unwrap().dk);
         assert!(worst < 1e-9, "{share}: {worst}");
+    }
+}
+
+/// Axes that were off while a motion dressed the worm are found from the rays that it left: all four from both flanks, three from the form
+/// of the flanks alone.
+#[test]
+fn axes_that_are_off_are_found_from_rays() {
+    let tool = CASE_A.tool().unwrap();
+    let planned = [2e-3, -3e-3, 0.03, 0.4];
+    let true_off: DressingCorrection = [2e-4, 3e-4, 0.012, -0.04];
+    for by_form in [false, true] {
+        let off: DressingCorrection =
+            std::array::from_fn(|j| if by_form && j == 0 { 0.0 } else { true_off[j] });
+        let series = planned.map(|x| {
+            Chebyshev::fit(-90.0, 90.0, 5, |v: f64| Ok::<_, ()>(x * (1.0 + v / 60.0 + (v / 80.0).powi(2))))
+                .unwrap()
+        });
+        let points = Flank::BOTH.map(|flank| {
+            let dresser = &tool.flanks[flank];
+            let real = std::array::from_fn(|j| series[j].raised(off[j]));
+            let motion = dressing_motion(dresser.chain, &real);
+            let (grid, lengths) = rays(dresser, &dresser.profile, &motion, 3.0);
+            let point = |(k, f): (usize, &f64)| {
+                let (w, b) = grid.ray(k);
+                // The thickness is not known by the form.
+                [w, b, f + if by_form { 0.017 } else { 0.0 }]
+            };
+            lengths.iter().enumerate().map(point).collect::<Vec<_>>()
+        });
+        let flanks = [(Flank::Left, &points[0]), (Flank::Right, &points[1])];
+        let flanks = flanks.map(|(flank, points)| MeasuredFlank { flank, corrections: &series, points });
+        let held = [by_form.then_some(0.0), None, None, None];
+        let known = Recovery { noise: 1e-7, held };
+        let found = recover_from_points(&tool, CASE_A.radius(), &flanks, &known, by_form).unwrap();
+        for j in 0..4 {
+            let allowed = 4.0 * found.standard_deviation[j] + 1e-6 * off[j].abs();
+            assert!((found.deviation[j] - off[j]).abs() <= allowed, "{by_form} {j}: {found:?} {off:?}");
+        }
+        assert!(found.residual_rms < 1e-7, "{found:?}");
+        // What is not dressed cannot be compared.
+        let beyond = [[points[0][0][0], 500.0, 0.0]];
+        let flank = MeasuredFlank { flank: Flank::Left, corrections: &series, points: &beyond };
+        let error = recover_from_points(&tool, CASE_A.radius(), &[flank], &known, by_form).unwrap_err();
+        assert_eq!(error.code(), "out-of-dresser", "{error}");
     }
 }

@@ -2,9 +2,9 @@
 //! and every refusal. The reference numbers are checked by `verify` (`tests/verify.rs`).
 
 use dressing::{
-    ActiveArea, DressedProfile, DresserTool, DressingError, GeometricRange, Measurement, MovingStroke,
-    MultiStroke, NodePlan, ProfileSection, Recovery, Spread, Spreads, Stroke, StrokedWorm, divide,
-    dressing_motion, influence, recover_deviation, spread_of_profile,
+    ActiveArea, DressedProfile, DresserTool, DressingError, GeometricRange, Measurement, MovingSection,
+    MovingStroke, MultiStroke, NodePlan, ProfileSection, Recovery, Spread, Spreads, Stroke, StrokedWorm,
+    WidthLaw, divide, divide_moving, dressing_motion, influence, recover_deviation, spread_of_profile,
 };
 use foundation::geometry::{Flank, Gear, GearData, Revolution, Sides};
 use foundation::kinematics::{DressingChain, DressingCorrection, DressingMotion};
@@ -337,6 +337,25 @@ fn strokes_that_cannot_be_are_refused() {
     };
     let between = [cut(0.0, 0.4), cut(0.4, 0.6), cut(0.6, 1.0)];
     says(&refused(&between, 0.0), "invalid-number", &["active part", "between two others"]);
+
+    // A section that moves takes as many strokes as where it is widest, and is nowhere shorter than its area.
+    let law = |c: &[f64]| WidthLaw::new(c).unwrap();
+    let ends = |move_by: f64| {
+        let border = law(&[from + 0.25 * (to - from), move_by]);
+        let part = |range: [WidthLaw; 2]| MovingSection { tool: &tool, area: good, range };
+        [part([law(&[from]), border]), part([border, law(&[to])])]
+    };
+    let strokes = divide_moving(&ends(0.4), Flank::Left, 0.02).unwrap();
+    for q in [-1.0, 0.0, 1.0] {
+        let at: Vec<[f64; 2]> = strokes.iter().map(|(_, laws)| laws.map(|law| law.value(q))).collect();
+        let border = from + 0.25 * (to - from) + 0.4 * q;
+        let first = strokes.iter().rposition(|(section, _)| *section == 0).unwrap();
+        assert!((at[first][1] - border).abs() < 1e-12 && at[first + 1][0] >= border - 1e-12, "{at:?}");
+        assert!(at[first + 1..].windows(2).all(|pair| pair[0][1] - pair[1][0] > 0.02 - 1e-12), "{at:?}");
+        assert!((at[at.len() - 1][1] - to).abs() < 1e-12, "{at:?}");
+    }
+    let beyond = divide_moving(&ends(0.4 * (to - from)), Flank::Left, 0.02).unwrap_err();
+    says(&beyond, "invalid-number", &["w_a"]);
 
     let bent = |_: f64| [f64::NAN, to];
     let moving = [MovingStroke { tool: &tool, area: good, range: &bent }];

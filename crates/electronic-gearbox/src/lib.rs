@@ -1,6 +1,6 @@
 #![no_std]
 #![forbid(unsafe_code)]
-#![doc = "The electronic gearbox that couples the axes of a gear machine."]
+#![doc = include_str!("../README.md")]
 
 pub mod chain;
 pub mod coefficient;

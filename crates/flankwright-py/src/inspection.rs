@@ -4,15 +4,15 @@ use std::path::PathBuf;
 
 use flankwright::exchange::inspection::{DatumFace, SlopeReference};
 use flankwright::exchange::job::Language;
-use flankwright::exchange::{AnyJob, Diagnostic, Job, SkivingJob};
+use flankwright::exchange::{AnyJob, Diagnostic, Job, MillingJob, SkivingJob};
 use flankwright::geometry::Sides;
 use flankwright::numerics::Progress;
 use flankwright::workflow::inspection::series::{
     SeriesOptions, inspect_series as evaluate, measured_parts_in,
 };
 use flankwright::workflow::inspection::{
-    BlankStock, GearInspection, MeasuredStock, SheetOptions, Statements, blank_of_file, inspect_for_job,
-    inspect_gear, write_blank,
+    BlankStock, GearInspection, MeasuredStock, SheetOptions, Statements, blank_of_file, inspect_bevel,
+    inspect_for_job, inspect_for_milling, inspect_gear, write_blank,
 };
 use flankwright::workflow::skiving::inspect_skiving;
 use flankwright::workflow::{JobFailure, RunFailure};
@@ -108,9 +108,22 @@ pub fn inspect(
         if let Some(loaded) = job.of::<Job>() {
             return Ok(told(inspect_for_job(loaded, &file, &statements, tolerance_class, progress)?));
         }
-        let message = "measurements are compared with a job of generating grinding or of a skiving tool";
+        if let Some(loaded) = job.of::<MillingJob>().filter(|loaded| loaded.job.bevel.is_some()) {
+            let mut found = inspect_bevel(loaded, &file, tolerance_class, progress)?;
+            found.language = language.unwrap_or(found.language);
+            return Ok(Held::Completed(Box::new(found)));
+        }
+        if let Some(loaded) = job.of::<MillingJob>() {
+            return Ok(told(inspect_for_milling(loaded, &file, &statements, tolerance_class, progress)?));
+        }
+        let message = "measurements are compared with a job of generating grinding, five-axis milling or of a skiving tool";
         let way_out = "leave the job out, or take the one by which the part was made";
-        Err(other_process(job, message, "generating-grinding, skiving-tool-measuring", way_out))
+        Err(other_process(
+            job,
+            message,
+            "generating-grinding, five-axis-milling, skiving-tool-measuring",
+            way_out,
+        ))
     };
     let done = watched(py, progress, |progress| CoreResult::of(|| work(progress)))?;
     done.map_err(|failure| Failure::from(&failure).raised(py))

@@ -47,6 +47,7 @@ fn model() -> TangentialModel {
         worm_tip_radius: None,
         dresser_pitch_radius: 57.825,
         dresser_tip_radius: None,
+        dresser_depth: None,
         profile: ProfileKind::Conjugate,
         radii: [38.10325, 44.26575],
         faces: [-20.0, 20.0],

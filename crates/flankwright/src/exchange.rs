@@ -7,11 +7,13 @@ pub use ::milling::job::{LoadedMillingJob, MillingJob};
 pub use ::scene::mesh;
 pub use ::skiving::history as skiving_history;
 pub use ::skiving::job::{LoadedSkivingJob, SkivingJob};
+pub use ::skiving::probe_readings::{ProbeValue, parse_probe_values, probe_table, read_probe_values};
 pub use ::skiving::readings::{parse_skiving_readings, read_skiving_readings, readings_table};
 pub use ::tangential_dressing::job::{LoadedTangentialJob, TangentialJob};
 pub use generating_grinding::catalogue;
 pub use generating_grinding::job::{Job, LoadedJob};
 pub use generating_grinding::stock_file::{MeasuredStock, StockTable, parse_stock, read_stock, stock_table};
+pub use generating_grinding::worm_file::{WormPoints, parse_measured_worm, read_measured_worm};
 pub use measured_files::{inspection, rexs};
 
 use crate::processes;

@@ -179,6 +179,10 @@ pub fn documents() -> Vec<DocumentFormat> {
     let mut all: Vec<DocumentFormat> = processes().all().flat_map(|process| process.documents()).collect();
     all.extend([
         DocumentFormat::of::<::inspection::workflow::GearInspectionResult>("inspection", "result.json"),
+        DocumentFormat::of::<::inspection::workflow::BevelInspectionResult>(
+            "bevel-inspection",
+            "result.json",
+        ),
         DocumentFormat::of::<::inspection::workflow::series::InspectionSeriesResult>(
             "inspection-series",
             "series.json",

@@ -9,13 +9,14 @@ use toml_edit::DocumentMut;
 /// Each crate with the crates of this project that its sources depend on. The referee shares no formula with what it judges: it stands
 /// on the foundation alone, and neither contact nor a process knows it. `finding` holds no formula, only how an error gives its code and
 /// its way out: it is open to every crate but those that depend on none of ours.
-const CRATES: [(&str, &[&str]); 35] = [
+const CRATES: [(&str, &[&str]); 36] = [
     ("electronic-gearbox", &[]),
     ("finding-derive", &[]),
     ("nc", &[]),
     ("verdict", &[]),
     ("words", &[]),
     ("workspace-features", &[]),
+    ("electronic-gearbox-c", &["electronic-gearbox"]),
     ("finding", &["finding-derive"]),
     ("foundation", &["finding", "workspace-features"]),
     ("contact", &["finding", "foundation"]),
@@ -117,6 +118,7 @@ const CRATES: [(&str, &[&str]); 35] = [
             "job",
             "measured-files",
             "metrology",
+            "milling",
             "referee",
             "report",
             "run",

@@ -90,7 +90,8 @@ fn of_example(path: &Path) -> Vec<ExamplePage> {
     if let Some(loaded) = job.of::<Job>() {
         return of_grinding(&name, loaded).into_iter().map(|(what, made)| page(what, made)).collect();
     }
-    vec![page("", of_other(&name, &job))]
+    let inspected = milled_inspected(&name, &job).map(|made| page(" inspected", made));
+    inspected.into_iter().chain([page("", of_other(&name, &job))]).collect()
 }
 
 /// What came of an example.
@@ -141,7 +142,28 @@ fn of_grinding(name: &str, loaded: &LoadedJob) -> Vec<(&'static str, PlanReport)
     pages
 }
 
+/// What `inspect` makes of a milled gear beside the plan of its job.
+fn milled_inspected(name: &str, job: &AnyJob) -> Option<PlanReport> {
+    let loaded = job.of::<MillingJob>()?;
+    if name == "inspection/bevel.toml" {
+        let measured = folder().join("inspection/bevel.csv");
+        let found = inspection::workflow::inspect_bevel(loaded, &measured, None, SILENT);
+        return Some(inspection::page::bevel::page(&made(name, found), &files()).unwrap());
+    }
+    if name != "inspection/milled.toml" {
+        return None;
+    }
+    let measured = folder().join("inspection/milled.csv");
+    let found =
+        inspection::workflow::inspect_for_milling(loaded, &measured, &Statements::default(), None, SILENT);
+    Some(inspection::page::measured_gear::page(&made(name, found), &files()).unwrap())
+}
+
 fn of_other(name: &str, job: &AnyJob) -> PlanReport {
+    if let Some(loaded) = job.of::<TangentialJob>().filter(|_| name == "tangential/explore.toml") {
+        let found = made(name, tangential_dressing::workflow::explore_tangential(loaded, SILENT));
+        return tangential_dressing::workflow::explore::page(&found).unwrap();
+    }
     if let Some(loaded) = job.of::<TangentialJob>() {
         let outcome = made(name, tangential_dressing::workflow::plan_tangential(loaded, SILENT));
         return tangential_dressing::page::page(&outcome, &files()).unwrap();

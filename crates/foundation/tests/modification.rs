@@ -457,6 +457,10 @@ impl ModificationFiles for Shelf {
     fn points(&self, _file: &str) -> Result<Vec<[f64; 3]>, String> {
         Ok(vec![[0.0, 0.0, 2.0], [40.0, 0.0, 2.0], [0.0, 40.0, 2.0]])
     }
+
+    fn profile(&self, _file: &str) -> Result<Vec<[f64; 2]>, String> {
+        Ok((0..20).map(|k| [2.0 * f64::from(k), 5.0]).collect())
+    }
 }
 
 #[test]
@@ -466,6 +470,8 @@ fn files_come_from_the_caller() {
     assert!((grid.value(9.0, 9.0).unwrap() - 0.005).abs() < 1e-15);
     let traces = with(json!({"kind": "helix_traces", "file": "flat.csv"})).unwrap();
     assert!((traces.value(9.0, 9.0).unwrap() - 0.0052).abs() < 1e-15);
+    let profile = with(json!({"kind": "profile_trace", "file": "any.csv"})).unwrap();
+    assert!((profile.value(9.0, 3.0).unwrap() - 0.005).abs() < 1e-12);
     let gone = with(json!({"kind": "helix_traces", "file": "gone.csv"})).unwrap_err();
     assert_eq!(gone.code(), "file-unavailable");
     let points = with(json!({"kind": "points", "file": "p.csv"})).unwrap();
@@ -521,7 +527,7 @@ fn unknown_keys_are_refused_inside_every_kind() {
     // The schema says the same, and lists every kind.
     let schema = schemars::schema_for!(ModificationSpec).to_value();
     let variants = schema["oneOf"].as_array().unwrap();
-    assert_eq!(variants.len(), 29);
+    assert_eq!(variants.len(), 30);
     for variant in variants {
         assert_eq!(variant["additionalProperties"], json!(false), "{variant}");
         assert!(variant["properties"]["kind"]["const"].is_string());

@@ -3,20 +3,32 @@
 //! says in the same words is taken from [`job::control`]. Knows nothing of what a gearbox makes of its pulses.
 
 mod checks;
+mod compare;
+mod correction;
+mod engagement;
+mod errors;
 mod explore;
 mod extent;
 mod gear;
 mod output;
 mod spindles;
+mod split;
 mod stimulus;
 mod target;
 mod train;
 mod travel;
 
+pub use compare::{ComparedAmplitude, ComparedLoop, GearboxCompare};
+pub use correction::{AddedRotation, CorrectionAxis, GearboxCorrection, TableEnds};
+pub use engagement::GearboxEngagement;
+pub use errors::{
+    BallScrewErrors, EncoderHarmonic, GearboxErrors, PeriodicError, ScaleErrors, WorkpieceEncoderErrors,
+};
 pub use explore::{ClockChoice, EncoderChoice, GearboxExplore, InterpolationChoice, ScaleChoice};
 pub use gear::GearboxGear;
 pub use output::GearboxOutput;
 pub use spindles::{GearboxWorkpiece, LeadingWorm};
+pub use split::GearboxSplit;
 pub use stimulus::{GREATEST_TICK, Stimulus};
 pub use target::GearboxTarget;
 pub use train::reference_train;
@@ -52,6 +64,21 @@ pub struct GearboxJob {
     /// The servo of the workpiece spindle; without one its error is not simulated.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub servo: Option<Servo>,
+    /// Errors of scale or ball screw and of the encoder; without them they are perfect.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub errors: Option<GearboxErrors>,
+    /// Rotation that is added over feed and worm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub correction: Option<GearboxCorrection>,
+    /// The rotation as whole pulses and a voltage.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub split: Option<GearboxSplit>,
+    /// How the workpiece comes into the gap of the running worm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub engagement: Option<GearboxEngagement>,
+    /// Multipliers of older controls beside the interpolator.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub compare: Option<GearboxCompare>,
     /// Scales, clocks, interpolations and encoders to choose from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub explore: Option<GearboxExplore>,

@@ -3,9 +3,11 @@
 //! messages cannot disagree.
 
 mod catalogue;
-mod checks;
+pub mod checks;
 pub mod compensation;
+mod conditions;
 mod designed_for;
+mod deviations;
 pub mod diagonal_ratio;
 mod dresser;
 mod dressing;
@@ -17,6 +19,8 @@ mod gear_root;
 pub mod grinding;
 pub mod inspection;
 pub mod measured_gear;
+mod measured_worm;
+mod over_width;
 mod settings;
 mod steps;
 mod stock;
@@ -28,14 +32,19 @@ mod technology;
 mod worm;
 mod worm_life;
 
-pub use catalogue::{CatalogueSource, FreeQuantity, FreeWorm};
+pub use catalogue::{CatalogueSource, FreeQuantity, FreeWorm, RankBy};
 pub use compensation::Compensation;
+pub use conditions::{
+    Condition, ConditionOf, ConditionWord, DegreeOfFreedom, FixedCondition, HeadCondition, MapCondition,
+    PointCondition, StretchCondition,
+};
 pub use designed_for::DesignedFor;
+pub use deviations::{DressingDeviation, MachineDeviations};
 pub use diagonal_ratio::{
     DiagonalRatio, DiagonalRule, LineBlendCurve, LineSineCurve, PointsCurve, ShiftCurve, ShiftLaw, ShiftTable,
 };
 pub use dresser::{Dresser, DresserContact, DresserModification, FixedDresser, OtherDresser};
-pub use dressing::{Condition, DegreeOfFreedom, Dressing, DressingFlanks, ProfileCrowningBy};
+pub use dressing::{Dressing, DressingFlanks, ProfileCrowningBy};
 pub use dressing_study::{Compare, DressingStudy, StudyOver};
 pub use economy::{AxisLimits, Prefer};
 pub use explore::Explore;
@@ -43,7 +52,10 @@ pub use gauge::{Gauge, GaugeRule, GivenGauge};
 pub use gear_root::{GearRoot, RootAlong};
 pub use grinding::{Grinding, Method};
 pub use inspection::{Band, CorrectionLimits, CorrectionSetting, Inspection};
-pub use measured_gear::{DressingDeviation, SimulatedMeasurement};
+pub use measured_gear::SimulatedMeasurement;
+pub use measured_worm::MeasuredWorm;
+pub use over_width::OverWidth;
+use over_width::{SHARES, STRETCHES};
 pub use settings::{FlankSettings, Pieces, Settings, StrokeSettings, StrokeTables, ToolTable, ToolTables};
 pub use steps::Steps;
 pub use stock::{HobMarks, PitchStock, RunOut, Stock, StockPlace, StockTerm};
@@ -54,7 +66,7 @@ pub use target::{Fit, Judged, JudgedTraces, Target, ToleranceMapSource, Toleranc
 pub use technology::{
     CostRates, CycleRule, DressingOfShop, DressingRotation, PartTimes, Technology, TechnologyLimits, WormLife,
 };
-pub use worm::{Tool, Worm};
+pub use worm::{FlankForm, Tool, Worm};
 pub use worm_life::WormLifeStudy;
 
 use job::tables::{Control, Gear, Grid, Hand, JobInfo, Language, Machine, OneOrSides, Output};
@@ -117,6 +129,12 @@ pub struct Job {
     /// What to write beside result and report.
     #[serde(default)]
     pub output: Output,
+    /// Axes that are off: what the planned settings leave then.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub deviations: Option<MachineDeviations>,
+    /// A worm as it was measured after dressing: which axes of dressing it points to.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub measured_worm: Option<MeasuredWorm>,
     /// How a measured gear is judged and corrected.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inspection: Option<Inspection>,
@@ -141,6 +159,11 @@ impl Job {
     pub fn point_dresser(&self) -> Option<(&Dresser, f64)> {
         let point = |d: &&Dresser| self.worm.tool == Tool::Dressed && d.contact == DresserContact::Point;
         self.dresser.as_ref().filter(point).and_then(|d| Some((d, d.tip_radius?)))
+    }
+
+    /// Whether the job wants a worm topography, from which the gear follows, in place of a gear.
+    pub fn wants_worm(&self) -> bool {
+        self.worm.tool == Tool::Dressed && self.worm.modifications.is_some()
     }
 
     /// Normal pressure angles of the worm in degrees: as given, else those of the gear.

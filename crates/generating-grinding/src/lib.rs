@@ -7,5 +7,6 @@ pub mod page;
 mod process;
 pub mod stock_file;
 pub mod workflow;
+pub mod worm_file;
 
 pub use process::GeneratingGrinding;

@@ -11,7 +11,7 @@ use crate::workflow::{
 };
 use crate::workflow::{
     explore_job, plan_from_catalogue, plan_job, preview_job, rank_catalogue, simulate_job, study_dressing,
-    study_free_worm, study_worm_life,
+    study_free_worm, study_worm_life, try_changes,
 };
 use ::job::ProcessJob;
 use foundation::numerics::Progress;
@@ -113,7 +113,9 @@ fn with_job(loaded: &LoadedJob, outcome: Outcome) -> Box<dyn TaskOutcome> {
 
 fn plan(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Box<dyn TaskOutcome>, JobFailure> {
     let Some(catalogue) = catalogue_of_job(loaded)? else {
-        return Ok(with_job(loaded, plan_job(loaded, progress)?));
+        let mut outcome = plan_job(loaded, progress)?;
+        try_changes(loaded, &mut outcome, progress);
+        return Ok(with_job(loaded, outcome));
     };
     Ok(Box::new(plan_from_catalogue(loaded, &catalogue, progress)?))
 }

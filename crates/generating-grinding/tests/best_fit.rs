@@ -6,7 +6,7 @@ use generating::{GrindingPlan, RatioReason};
 use generating_grinding::job::{Job, LoadedJob};
 use generating_grinding::workflow::{Execution, Outcome, Prepared, plan_job, prepare, simulate_job};
 use job::{Source, parse_job_of};
-use serde_json::Value;
+use serde_json::{Value, json};
 use verdict::Status;
 
 /// Drawings as shops have them, one a line, with the names of their jobs.
@@ -150,4 +150,25 @@ fn thirty_ordinary_drawings_are_met() {
         })
         .collect();
     assert!(missed.is_empty(), "{missed:?}");
+}
+
+/// Points of the result grid are for reports: what is planned does not depend on them.
+#[test]
+fn the_grid_of_the_result_decides_nothing() {
+    for name in ["d003", "d017", "d025"] {
+        let on_grid = |points: u32| {
+            let mut job = drawing(name);
+            job["grid"] = json!({ "profile_points": points, "helix_points": points });
+            let ready = prepare(&load(&job)).unwrap_or_else(|e| panic!("{e:?}"));
+            let plan = ready.task().plan().unwrap_or_else(|e| panic!("{name}: {e}"));
+            (farthest(&ready, &plan), ready.tolerance.tightest())
+        };
+        let (off, tolerance) = on_grid(41);
+        for points in [11, 121] {
+            let (other, _) = on_grid(points);
+            // 2 % of the tolerance: points of the judging grid that fall elsewhere tell no more than that of one flank.
+            assert!((other - off).abs() <= 0.02 * tolerance, "{name}, {points} points: {other} and {off} mm");
+            assert_eq!(other <= tolerance, off <= tolerance, "{name}, {points} points");
+        }
+    }
 }

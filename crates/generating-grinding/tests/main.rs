@@ -2,12 +2,16 @@
 
 mod areas;
 mod best_fit;
+mod catalogue_plans;
+mod changes;
 #[path = "../../generating/tests/cylindrical_pair/mod.rs"]
 mod cylindrical_pair;
+mod deviations;
 mod economy;
 mod explore;
 mod judged_traces;
 mod line_dressing_job;
+mod measured_worm;
 mod page;
 mod plan;
 mod plan_bodies;
@@ -17,4 +21,6 @@ mod stroke_plans;
 mod targets;
 mod truck_gear;
 mod verdicts;
+mod wanted_worm;
+mod weighed_conditions;
 mod worm_life;

@@ -141,3 +141,76 @@ fn every_finishing_area_is_dressed_and_ground_with() {
         assert_eq!(heads.count(), 3);
     }
 }
+
+/// Least and largest height over the finished flank after each stroke in an area of its own, um, as the verdict has it.
+fn heights(outcome: &Outcome) -> Vec<(String, [f64; 2])> {
+    let verdict = serde_json::to_value(&outcome.result.verdict).expect("a verdict");
+    let judged = verdict["scope"]["judged"].as_array().expect("items").clone();
+    let text = |item: &serde_json::Value, key: &str| item[key].as_str().expect("a text").to_owned();
+    let of_area =
+        judged.iter().filter(|item| text(item, "item").ends_with("which has its own area of the worm"));
+    of_area
+        .map(|item| {
+            let detail = text(item, "detail");
+            let numbers: Vec<f64> = detail.split_whitespace().filter_map(|word| word.parse().ok()).collect();
+            assert_eq!(numbers.len(), 2, "{detail}");
+            (text(item, "item"), [numbers[0], numbers[1]])
+        })
+        .collect()
+}
+
+/// A job with two roughing strokes in areas of their own.
+fn in_areas(strokes: &str) -> LoadedJob {
+    job(
+        "twist-free-crowning",
+        &[
+            (GRID, COARSE),
+            ("width = 100.0", "width = 280.0"),
+            (
+                "diagonal_ratio = \"auto\"",
+                "diagonal_ratio = -1.03979\nroughing_areas = 2\nroughing_ratio = -1.03979",
+            ),
+        ],
+        &format!(
+            "\n[stock]\nallowance_um = 120.0\n\n[technology]\nstrokes = [{strokes}, {{ left_um = 0.0 }}]"
+        ),
+    )
+}
+
+/// With the whole modification and the ratio of the plan a roughing area leaves its stock everywhere; with half of it more where the plan takes
+/// more off, and with a ratio of its own some twist.
+#[test]
+fn a_roughing_area_makes_its_share_of_the_modification() {
+    let crowning = |outcome: &Outcome| 20.0 * outcome.prepared.setup.lines.left.cos_b2;
+    let outcome = planned(&in_areas(
+        "{ left_um = 60.0, modification_share = 0.5, shift = { ratio = -0.7 } }, { left_um = 20.0, modification_share = 1.0 }",
+    ));
+    proven(&outcome);
+    let found = heights(&outcome);
+    assert_eq!(found.len(), 4, "{found:?}");
+    for (item, [least, most]) in &found {
+        if item.contains("stroke 1") {
+            assert!(*least > 54.0 && *least < 66.0, "{item}: {least}");
+            assert!(
+                *most > 60.0 + 0.4 * crowning(&outcome) && *most < 60.0 + 1.5 * crowning(&outcome),
+                "{item}: {most}"
+            );
+        } else {
+            assert!((least - 20.0).abs() < 0.4 && (most - 20.0).abs() < 0.4, "{item}: {least} {most}");
+        }
+    }
+    let programs = outcome.result.programs.as_ref().expect("programs");
+    for area in ["roughing 1", "roughing 2", "finishing 1"] {
+        assert!(programs.worm_use.iter().any(|used| used.area == area), "{area}");
+    }
+}
+
+/// More than the whole modification goes below the finished flank, which the rays find.
+#[test]
+fn a_roughing_area_with_too_much_of_it_is_no_good() {
+    let loaded = in_areas("{ left_um = 60.0 }, { left_um = 5.0, modification_share = 1.8 }");
+    let outcome = planned(&loaded);
+    let verdict = serde_json::to_string(&outcome.result.verdict).expect("a verdict");
+    assert!(verdict.contains("roughing-below-finished"), "{verdict}");
+    assert!(!outcome.result.verdict.is_accepted());
+}

@@ -346,6 +346,7 @@ fn roughing_with_a_ratio_of_its_own_stays_above_the_finished_flank() {
                 overrun: None,
                 dwell_s: None,
                 zone: None,
+                modification_share: None,
             })
             .to_vec();
         planned(&loaded).result

@@ -297,6 +297,39 @@ fn traces_are_checked() {
     assert!(warning.to_string().contains("6 mm beyond"), "{warning}");
 }
 
+#[test]
+fn measured_profiles_are_checked() {
+    let key = |value: Value| match try_build(&value).map(|_| ()).unwrap_err() {
+        ModificationError::InvalidModification { key, allowed, .. } => (key, allowed),
+        ModificationError::InvalidNumber { key, limit, .. } => (key, limit.to_string()),
+        other => panic!("{value}: {other}"),
+    };
+    let points: Vec<[f64; 2]> = (0..12).map(|k| [2.0 * f64::from(k) + 1.0, 0.5 * f64::from(k % 2)]).collect();
+    let trace = |points: &[[f64; 2]], noise: Value| json!({"kind": "profile_trace", "points": points, "noise_um": noise});
+    let made = build(trace(&points, json!(0.3)));
+    // Nothing of the face width, and a curve between the points.
+    assert_eq!(made.value(9.3, -4.0).unwrap(), made.value(9.3, 7.0).unwrap());
+    assert!(made.depends_on_profile_only() && made.measured_deviation(9.3) > 0.0);
+    assert_eq!(build(json!({"kind": "profile_crowning", "amount_um": 3})).measured_deviation(9.3), 0.0);
+    let doubled = build(json!({"kind": "scale", "factor": 2.0, "children": [trace(&points, json!(0.3))]}));
+    assert!((doubled.measured_deviation(9.3) - 2.0 * made.measured_deviation(9.3)).abs() < 1e-15);
+    for noise in [json!(0.0), json!(-0.1)] {
+        assert_eq!(key(trace(&points, noise)), ("noise_um".into(), "a number above 0".into()));
+    }
+    assert_eq!(key(trace(&points, json!(1e6))).0, "noise_um");
+    assert_eq!(key(trace(&points[..7], Value::Null)), ("points".into(), "8 points or more".into()));
+    let (field, allowed) = key(trace(&points[5..], Value::Null));
+    assert_eq!(field, "points");
+    assert!(allowed.contains("8 points"), "{allowed}");
+    let short: Vec<[f64; 2]> = points.iter().map(|[w, f]| [0.2 * w + 12.0, *f]).collect();
+    assert!(key(trace(&short, Value::Null)).1.starts_with("numbers that cover the evaluation range"));
+    let piled: Vec<[f64; 2]> = points.iter().map(|[w, f]| [if *w < 12.0 { 1.0 } else { 23.0 }, *f]).collect();
+    assert_eq!(key(trace(&piled, Value::Null)).1, "points spread over the evaluation range");
+    let mut both = trace(&points, Value::Null);
+    both["file"] = "t.csv".into();
+    assert_eq!(key(both).0, "file");
+}
+
 /// The template with another target and the given files beside it.
 fn job(target: &str, files: &[(&str, String)]) -> (tempfile::TempDir, LoadedJob) {
     let template = Job::TEMPLATE;

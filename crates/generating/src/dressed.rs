@@ -1,14 +1,16 @@
 //! From the ideal worm to the dressed one: dresser profile, corrections DK(v), exact envelope
 //! (`docs/mathematics/planning.md#from-the-ratio-to-the-flank`).
 
+use super::moved_profile::{with_head_for, worm_roll_of};
 use super::{
-    DressingRows, FlankRows, GeneratingError, GrindingSetup, IdealPlan, IdealWorm, ProfilePlace,
-    ProfilePolicy, SeriesRule, WormTip,
+    DressingRows, GeneratingError, GrindingSetup, IdealPlan, IdealWorm, ProfilePlace, ProfilePolicy,
+    SeriesRule, WormTip,
 };
+use contact::ThreadFunction;
 use dressing::{
-    Condition, ConditionSolver, DressedProfile, DressedWorm, DresserTool, FlankDresser, NodePlan,
-    NodeSolution, map_of_upper_end, pitch_rolls, solve_conditions_along, solve_dressing_motion,
-    solve_two_flank_motion, two_flank_rolls,
+    ConditionSolver, DressedProfile, DressedWorm, DresserTool, FlankDresser, NodePlan, NodeSolution,
+    PitchPlace, RowAlong, RowMiss, RowsAlong, missed_rows, pitch_rolls, solve_dressing_motion,
+    solve_rows_along,
 };
 use foundation::geometry::{Flank, ProfileOffset, Sides};
 use foundation::kinematics::{DressingCorrection, MotionLaw};
@@ -20,12 +22,6 @@ use std::sync::Arc;
 struct GearProfile {
     worm: IdealWorm,
     plain: FlankDresser,
-}
-
-/// Length of roll on the dressed worm that grinds what roll t of the worm that the dresser was designed for grinds: both
-/// generate the gear's form circles at the ends of their ranges.
-fn worm_roll_of(dresser: &FlankDresser, t: f64) -> f64 {
-    dresser.range.w_nf + (t - dresser.designed.w_nf) * (dresser.range.length() / dresser.designed.length())
 }
 
 impl ProfileOffset for GearProfile {
@@ -61,8 +57,21 @@ pub struct DressedFlank {
     pub corrections: [Chebyshev; 4],
     /// Solved nodes.
     pub nodes: Vec<NodeSolution>,
+    /// What the nodes leave of each row, mm or rad; empty where all rows are met exactly.
+    pub missed: Vec<RowMiss>,
     /// The exact envelope.
     pub worm: DressedWorm,
+}
+
+/// A dressing motion over v.
+#[derive(Clone)]
+struct Motion {
+    /// DK over v.
+    corrections: [Chebyshev; 4],
+    /// Solved nodes.
+    nodes: Vec<NodeSolution>,
+    /// What they leave of each row; empty where all rows are met exactly.
+    missed: Vec<RowMiss>,
 }
 
 /// Continuation of the used profile at each end, as a share of it, over which a worm counts as finished.
@@ -128,9 +137,6 @@ pub fn dresser_profile(worm: &IdealWorm, policy: ProfilePolicy) -> Vec<f64> {
     profile
 }
 
-/// The head part of a dresser reaches over this to either side of the middle of the worm's tip, mm.
-const HEAD_HALF: f64 = 1.5;
-
 /// The dresser made for a plan: it carries the profile of the ideal worm, under `correction` without its u^2 part.
 ///
 /// # Errors
@@ -147,12 +153,7 @@ pub fn dresser_of_plan(
         Some(worm)
     });
     let tool = with_profiles(plain, &worms);
-    Ok(match policy.dressing {
-        DressingRows::Alone(FlankRows { head: true, .. }) => {
-            tool.with_head(setup.worm_tip_radius, HEAD_HALF)?
-        }
-        _ => tool,
-    })
+    Ok(with_head_for(tool, policy.dressing.rows(), setup.worm_tip_radius)?)
 }
 
 /// A dresser that leaves the profile parts of `worms` on the gear.
@@ -178,69 +179,136 @@ pub fn dressing_interval(
     (b[0] - z[1] - margin, b[1] - z[0] + margin)
 }
 
-/// What the pitch points of one flank ask for. What stands on the worm's lines as it is has other values across the slightly
-/// bent line in which the dresser touches; only their straight part over the profile is asked of the dresser, because a worm of
-/// few threads takes hardly any more (`docs/mathematics/planning.md#who-carries-what`).
+/// What pitch points of one flank ask for. What stands on the worm's lines as it is has other values across the slightly bent line in
+/// which the dresser touches; only their straight part over the profile is asked of the dresser, because a worm of few threads takes
+/// hardly any more (`docs/mathematics/planning.md#who-carries-what`).
 struct Wish<'a> {
     worm: &'a IdealWorm,
+    dresser: &'a FlankDresser,
+    /// The dresser without corrections.
+    uncorrected: DressedProfile<'a>,
+    /// Whether the corrections make a part of the profile.
+    corrected: bool,
     /// Ends and middle of the used profile, mm.
     profile: [f64; 3],
-    /// Lengths of roll of the pitch points, mm.
-    rolls: Vec<f64>,
-    /// What is dressed there without corrections, less what these are to make, mm.
-    base: Vec<f64>,
+    /// Pitch points that stay where they are, mm, and the base there; none where the profile of the dresser is moved.
+    known: Vec<(f64, f64)>,
 }
 
 impl<'a> Wish<'a> {
     fn new(
-        tool: &DresserTool,
+        tool: &'a DresserTool,
         plan: &'a IdealPlan,
         flank: Flank,
         policy: ProfilePolicy,
     ) -> Result<Self, GeneratingError> {
-        let worm = plan.worms[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
-        let uncorrected = DressedProfile::new(tool, flank, [0.0; 4]);
-        let base = |&w: &f64| -> Result<f64, GeneratingError> {
-            let mut base = uncorrected.at_roll(w)?.f;
-            if policy.place == ProfilePlace::Correction {
-                let u = worm.lines.work_roll(w) - worm.lines.w_m;
-                let p = |i: usize| worm.parts.profile.get(i).copied().unwrap_or(0.0);
-                base -= worm.lines.cos_b2 * (p(1) + p(2) * u) * u;
+        let dresser = &tool.flanks[flank];
+        let mut wish = Self {
+            worm: plan.worms[flank].as_ref().ok_or(GeneratingError::NoFlank)?,
+            dresser,
+            uncorrected: DressedProfile::new(tool, flank, [0.0; 4]),
+            corrected: policy.place == ProfilePlace::Correction,
+            profile: pitch_rolls(tool, flank),
+            known: Vec::new(),
+        };
+        let ([w_nf, _, w_na], mut known) = (wish.profile, Vec::new());
+        for row in policy.dressing.rows() {
+            let RowAlong::Point { flank: named, at } = row else { continue };
+            if named.is_some_and(|named| named != flank) {
+                continue;
             }
-            Ok(base)
-        };
-        let profile = pitch_rolls(tool, flank);
-        let rolls = match policy.dressing {
-            DressingRows::BothFlanks => two_flank_rolls(tool)[flank].to_vec(),
-            DressingRows::Alone(rows) if rows.points == 3 => profile.to_vec(),
-            DressingRows::Alone(rows) => equidistant([profile[0], profile[2]], rows.points),
-        };
-        let base = rolls.iter().map(base).collect::<Result<Vec<_>, _>>()?;
-        Ok(Self { worm, profile, rolls, base })
+            for q in [-1.0, 0.0, 1.0] {
+                let w = w_nf * (1.0 - at.value(q)) + w_na * at.value(q);
+                let base = wish.base_at(w, w)?;
+                if at.is_constant() && wish.worm.moved.is_none() {
+                    known.push((w, base));
+                    break;
+                }
+            }
+        }
+        wish.known = known;
+        Ok(wish)
     }
 
-    /// At the pitch points, with their worm positions b.
-    fn values<const N: usize>(&self, b: [f64; N]) -> [f64; N] {
-        let along = |from: [f64; 2], to: [f64; 2], w: f64| {
-            to[0] + (to[1] - to[0]) * (w - from[0]) / (from[1] - from[0])
-        };
-        let straight = (!self.worm.carried.is_empty()).then(|| {
-            let ends = [self.rolls[0], self.rolls[N - 1]];
-            let line = match *b.as_slice() {
-                [b_0, b_1, b_2] => [b_0, b_1, b_2],
-                _ => self.profile.map(|w| along(ends, [b[0], b[N - 1]], w)),
-            };
-            straightened(self.worm, self.profile, line)
-        });
-        std::array::from_fn(|i| {
-            let w = self.rolls[i];
-            let share = match straight {
-                Some(f) => along([self.profile[0], self.profile[2]], [f[0], f[2]], w),
-                None => self.worm.dressing_share(w, b[i]),
-            };
-            self.base[i] + share
-        })
+    /// What the dresser leaves at w, where it was designed to dress `own`, less what the corrections are to make, mm.
+    fn base_at(&self, w: f64, own: f64) -> Result<f64, GeneratingError> {
+        let mut base = self.uncorrected.at_roll(own)?.f;
+        if self.corrected {
+            let u = self.worm.lines.work_roll(w) - self.worm.lines.w_m;
+            let p = |i: usize| self.worm.parts.profile.get(i).copied().unwrap_or(0.0);
+            base -= self.worm.lines.cos_b2 * (p(1) + p(2) * u) * u;
+        }
+        Ok(base)
     }
+
+    /// The same at a place of the worm; NaN, which no row can meet, beyond the dresser's profile.
+    fn base(&self, w: f64, b: f64) -> f64 {
+        let known = self.known.iter().find(|(at, _)| *at == w).map(|(_, base)| *base);
+        let own = || self.worm.moved.as_ref().map_or(w, |moved| moved.own_roll(w, b));
+        known.unwrap_or_else(|| self.base_at(w, own()).unwrap_or(f64::NAN))
+    }
+
+    /// Worm z at the ends and the middle of the profile along the line through pitch points (w, b).
+    fn line(&self, points: &[(f64, f64)]) -> [f64; 3] {
+        if let [(w_0, b_0), (w_1, b_1), (w_2, b_2)] = *points
+            && [w_0, w_1, w_2] == self.profile
+        {
+            return [b_0, b_1, b_2];
+        }
+        let by_roll = |a: &&(f64, f64), b: &&(f64, f64)| a.0.total_cmp(&b.0);
+        let ends = (points.iter().min_by(by_roll), points.iter().max_by(by_roll));
+        match ends {
+            (Some(low), Some(high)) if high.0 > low.0 => {
+                self.profile.map(|w| low.1 + (high.1 - low.1) * (w - low.0) / (high.0 - low.0))
+            }
+            // One point: the line as the dresser touches without corrections.
+            (Some(&(w_0, b_0)), _) => {
+                self.profile.map(|w| b_0 + self.dresser.line.value(w) - self.dresser.line.value(w_0))
+            }
+            _ => self.profile.map(|w| self.dresser.line.value(w)),
+        }
+    }
+
+    /// At pitch points (w, b).
+    fn values(&self, points: &[(f64, f64)], into: &mut [f64]) {
+        if self.worm.given.is_some() {
+            for (value, &(w, b)) in into.iter_mut().zip(points) {
+                *value = self.worm.jet(w, b).map_or(f64::NAN, |jet| jet.f);
+            }
+            return;
+        }
+        let straight =
+            (!self.worm.carried.is_empty()).then(|| straightened(self.worm, self.profile, self.line(points)));
+        for (value, &(w, b)) in into.iter_mut().zip(points) {
+            let share = match straight {
+                Some(f) => {
+                    let [from, _, to] = self.profile;
+                    f[0] + (f[2] - f[0]) * (w - from) / (to - from)
+                }
+                None => self.worm.dressing_share(w, b),
+            };
+            *value = self.base(w, b) + share;
+        }
+    }
+}
+
+/// What the pitch points among the rows ask for; NaN for the other rows.
+fn wanted(wishes: &Sides<Option<Wish<'_>>>, places: &[Option<PitchPlace>]) -> Vec<f64> {
+    let mut f = vec![f64::NAN; places.len()];
+    for (flank, wish) in wishes.iter() {
+        let Some(wish) = wish else { continue };
+        let on_flank = |(row, place): (usize, &Option<PitchPlace>)| {
+            place.filter(|place| place.flank == flank).map(|place| (row, (place.w, place.b)))
+        };
+        let (rows, points): (Vec<usize>, Vec<(f64, f64)>) =
+            places.iter().enumerate().filter_map(on_flank).unzip();
+        let mut values = vec![f64::NAN; points.len()];
+        wish.values(&points, &mut values);
+        for (row, value) in rows.iter().zip(values) {
+            f[*row] = value;
+        }
+    }
+    f
 }
 
 /// Points along the dressed line at which its modification is looked at.
@@ -288,11 +356,11 @@ pub fn sample_corrections(
 ) -> Result<Vec<DressingCorrection>, GeneratingError> {
     let mut dks = Vec::new();
     // One motion serves both flanks, else each has its own.
-    let motions =
-        if policy.dressing == DressingRows::BothFlanks { vec![which] } else { which.chunks(1).collect() };
+    let motions = if policy.dressing.of_both_flanks() { vec![which] } else { which.chunks(1).collect() };
     for flanks in motions {
         let interval = common_interval(setup, tool, plan, flanks, DRESSING_MARGIN);
-        let (_, nodes) = motion(setup, plan, tool, flanks, policy, NodePlan { interval, nodes: samples })?;
+        let Motion { nodes, .. } =
+            motion(setup, plan, tool, flanks, policy, NodePlan { interval, nodes: samples })?;
         let settled = flanks.first().map_or([0.0; 4], |&flank| tool.flanks[flank].settled);
         dks.extend(nodes.iter().map(|node| std::array::from_fn(|j| node.dk[j] + settled[j])));
     }
@@ -320,44 +388,25 @@ fn motion(
     flanks: &[Flank],
     policy: ProfilePolicy,
     nodes: NodePlan,
-) -> Result<([Chebyshev; 4], Vec<NodeSolution>), GeneratingError> {
-    let radius = setup.worm_pitch_radius;
-    let rows = match policy.dressing {
-        DressingRows::BothFlanks => {
-            let wishes = Sides::try_from_fn(|flank| Wish::new(tool, plan, flank, policy))?;
-            let wanted = |flank: Flank, b: [f64; 2]| wishes[flank].values(b);
-            return Ok(solve_two_flank_motion(tool, radius, &nodes, &wanted)?);
-        }
-        DressingRows::Alone(rows) => rows,
-    };
+) -> Result<Motion, GeneratingError> {
     let flank = *flanks.first().ok_or(GeneratingError::NoFlank)?;
-    let wish = Wish::new(tool, plan, flank, policy)?;
-    if rows == FlankRows::default() {
-        return Ok(solve_dressing_motion(tool, flank, radius, &nodes, &|b| wish.values(b))?);
-    }
+    let wishes = Sides::try_from_fn(|flank| {
+        flanks.contains(&flank).then(|| Wish::new(tool, plan, flank, policy)).transpose()
+    })?;
     let tip = WormTip::new(setup, &plan.motion)?;
-    let conditions = |v: f64, b: &[f64; 4]| {
-        // At worm position v the head works about z = -v.
-        let further = further_rows(tool, flank, rows, tip.radius(-v));
-        let point = |i: usize, f: f64| Condition::Point { flank, w: wish.rolls[i], f };
-        if rows.points == 4 {
-            let f = wish.values(*b);
-            return std::array::from_fn(|i| point(i, f[i]));
-        }
-        let f = wish.values([b[0], b[1], b[2]]);
-        [point(0, f[0]), point(1, f[1]), point(2, f[2]), further]
+    let conditions = RowsAlong {
+        tool,
+        flank,
+        rows: *policy.dressing.set(),
+        used: Sides::from_fn(|flank| setup.lines[flank].occupation(&plan.motion.shift)),
+        wanted: &|places| wanted(&wishes, places),
+        tip: &|z| tip.radius(z),
     };
-    Ok(solve_conditions_along(&ConditionSolver::new(tool, radius), &nodes, &conditions)?)
-}
-
-/// The row beside three pitch points.
-fn further_rows(tool: &DresserTool, flank: Flank, rows: FlankRows, tip_radius: f64) -> Condition {
-    match rows.fixed.iter().position(|&fixed| fixed) {
-        _ if rows.map => map_of_upper_end(&tool.flanks[flank]),
-        _ if rows.head => Condition::Head { t: 0.0, r: tip_radius },
-        Some(j) => Condition::Fixed { j, x: 0.0 },
-        None => map_of_upper_end(&tool.flanks[flank]),
-    }
+    let solver = ConditionSolver::new(tool, setup.worm_pitch_radius);
+    let (corrections, nodes) = solve_rows_along(&solver, &nodes, &conditions)?;
+    let weighed = conditions.rows.is_weighed();
+    let missed = if weighed { missed_rows(&nodes, &conditions)? } else { Vec::new() };
+    Ok(Motion { corrections, nodes, missed })
 }
 
 /// Size of the modification by which the answer of the dressing axes is looked at, normal, mm: that of ordinary modifications.
@@ -371,7 +420,7 @@ pub(super) fn dressing_response(
     flank: Flank,
     rows: DressingRows,
 ) -> Option<[[f64; 2]; 4]> {
-    if rows != DressingRows::Alone(FlankRows::default()) {
+    if rows != DressingRows::default() {
         return None;
     }
     let tool = setup.dresser().ok()?;
@@ -416,11 +465,11 @@ pub fn dress_flanks(
     margin: f64,
 ) -> Result<Sides<Option<DressedFlank>>, GeneratingError> {
     let dress = |flanks: &[Flank]| dress(setup, plan, tool, flanks, policy, margin);
-    let of_flank = |flank: Flank, (corrections, nodes): ([Chebyshev; 4], Vec<NodeSolution>)| {
+    let of_flank = |flank: Flank, Motion { corrections, nodes, missed }: Motion| {
         let worm = DressedWorm::new(tool, flank, &corrections);
-        DressedFlank { corrections, nodes, worm }
+        DressedFlank { corrections, nodes, missed, worm }
     };
-    if policy.dressing == DressingRows::BothFlanks {
+    if policy.dressing.of_both_flanks() {
         let both = dress(&Flank::BOTH)?;
         return Ok(Sides::from_fn(|flank| Some(of_flank(flank, both.clone()))));
     }
@@ -445,7 +494,7 @@ fn dress(
     flanks: &[Flank],
     policy: ProfilePolicy,
     margin: f64,
-) -> Result<([Chebyshev; 4], Vec<NodeSolution>), GeneratingError> {
+) -> Result<Motion, GeneratingError> {
     let interval = common_interval(setup, tool, plan, flanks, margin);
     let SeriesRule { nodes, tolerance } = policy.series;
     let (mut radial, mut asked) = (true, false);
@@ -460,26 +509,29 @@ fn dress(
                 relief.jet(w_2, worm.lines.z_m)?;
             }
         }
-        radial &= worm.is_radial();
+        radial &= worm.is_radial() && worm.given.is_none();
         asked |= asks_corrections(worm, policy);
         // Polynomials settle with few nodes; reliefs and waves on the lines take as many as they need.
-        if !worm.carried.is_empty() {
+        if !worm.carried.is_empty() || worm.given.is_some() {
             most = MOST_NODES;
         }
         lever[0] = f64::max(lever[0], worm.lines.cos_b1 * setup.pair.worm.flank(flank).base_radius);
     }
-    if radial {
+    let rows = policy.dressing.rows();
+    asked |= !rows.iter().all(RowAlong::is_met_uncorrected);
+    if radial && !(asked && rows.iter().any(RowAlong::varies)) {
         if asked {
             // The same all along the worm.
             return motion(setup, plan, tool, flanks, policy, NodePlan { interval, nodes: 1 });
         }
         let zero = Chebyshev::constant(interval.0, interval.1, 0.0);
-        return Ok(([zero.clone(), zero.clone(), zero.clone(), zero], Vec::new()));
+        let corrections = [zero.clone(), zero.clone(), zero.clone(), zero];
+        return Ok(Motion { corrections, nodes: Vec::new(), missed: Vec::new() });
     }
     let mut count = nodes;
     loop {
         let solved = motion(setup, plan, tool, flanks, policy, NodePlan { interval, nodes: count })?;
-        if 2 * count - 1 > most || tail(&solved.0, lever) < tolerance {
+        if 2 * count - 1 > most || tail(&solved.corrections, lever) < tolerance {
             return Ok(solved);
         }
         count = 2 * count - 1;

@@ -94,6 +94,7 @@ impl IdealPlan {
                 parts: Decomposition::nothing(setup.lines[flank].t_k),
                 carried: Carried { fitted: Some(fitted.fit), ..Carried::default() },
                 reliefs: given[flank].clone(),
+                moved: None,
                 spline: fitted.profile,
                 given: None,
             })
@@ -171,6 +172,7 @@ impl IdealPlan {
                 parts: share.parts,
                 carried: share.carried,
                 reliefs: targets[flank].as_ref().map(|t| t.reliefs.clone()).unwrap_or_default(),
+                moved: targets[flank].as_ref().and_then(|t| t.moved.clone()),
                 spline: None,
                 given: match &setup.tool {
                     Tool::Given(modifications) => Some(modifications[flank].clone()),
@@ -308,6 +310,15 @@ fn share(
         return Ok(Share::whole(parts, carried));
     };
     let t = lines.work_direction(ratio);
+    if setup.strokes.is_some() && !target.rest.is_empty() {
+        let misfit: f64 = target.rest.iter().map(|term| misfit_of_lines(term, lines, t)).sum();
+        if misfit > policy.line_tolerance {
+            // Strokes that follow it make it as it stands, each on its part of the profile.
+            let polynomial = Some(command.polynomial.clone());
+            let carried = Carried { polynomial, terms: target.rest.clone(), fitted: None, corrections };
+            return Ok(Share::whole(Decomposition::nothing(lines.t_k), carried));
+        }
+    }
     let rest = match known {
         Some(rest) => rest.clone(),
         None => RestCarrier::of(target, lines, t, policy)?,

@@ -10,6 +10,7 @@ pub mod curve_law;
 pub mod decomposition;
 pub mod dressed;
 mod economy;
+mod effort;
 pub mod equal_ratio;
 mod equal_swivel;
 pub mod error;
@@ -26,6 +27,7 @@ pub mod lines;
 mod local_envelope;
 pub mod made;
 mod motion;
+mod moved_profile;
 pub mod natural_twist;
 pub mod plan;
 mod plan_by_fit;
@@ -43,6 +45,7 @@ pub mod strokes;
 pub mod target;
 pub mod tip_land;
 mod variable_ratio;
+mod wanted_worm;
 pub mod workshop;
 pub mod worm_function;
 
@@ -54,6 +57,7 @@ pub use dressed::{
     DressedFlank, FinishedArea, dress_flanks, dresser_of_plan, dresser_profile, dressing_interval,
 };
 pub use economy::Prefer;
+pub use effort::Effort;
 pub use equal_ratio::{
     EqualRatio, EqualRatioSearch, Lever, RatioRoot, WormLine, generatrix, worm_at_crossing_angle,
 };
@@ -71,10 +75,11 @@ pub use lines::FlankLines;
 pub use local_envelope::{LocalEnvelope, kinematic_compliance};
 pub use made::MadeFlank;
 pub use motion::{common_motion, motion_of_flanks};
+pub use moved_profile::MovedProfile;
 pub use natural_twist::{NaturalTwist, natural_twist};
 pub use plan::{DEFAULT_LEAST_DETERMINANT, FlankPlan, GrindingPlan, LeastDeviation, PlanTask, PlannedTool};
 pub use planning_grid::PlanningGrid;
-pub use policy::{DressingRows, FlankRows, FreeCoefficients, PlanGauge, ProfilePolicy, SeriesRule};
+pub use policy::{DressingRows, FreeCoefficients, PlanGauge, ProfilePolicy, SeriesRule};
 pub use quadratic::{
     Gauge, QuadraticDecomposition, QuadraticWorm, constant_only_profile_crowning, decompose_quadratic,
     product_functions,
@@ -87,8 +92,9 @@ pub use stroke_layout::{AreaOfDresser, DressedSection, GivenDresser, StrokeChoic
 pub use stroke_place::{StrokeLayout, StrokePlace};
 pub use stroked::StrokedFlank;
 pub use strokes::Strokes;
-pub use target::{Carrier, FlankTarget};
+pub use target::{Carrier, FlankTarget, PlaceOfDresser};
 pub use tip_land::LeastRoom;
 pub use variable_ratio::VariableRatio;
+pub use wanted_worm::gear_of_worm;
 pub use workshop::GearWorkshop;
 pub use worm_function::IdealWorm;

@@ -9,9 +9,9 @@ use super::ratio::{
     Candidate, FlankResidual, LEAST_DETERMINANT, NoPlan, RatioChoice, RatioReason, Rule, Search,
 };
 use super::{
-    DressingLimits, DressingRows, EqualSwivel, FeedLaw, FlankTarget, FreeCoefficients, GeneratingError,
-    GrindingSetup, IdealPlan, MadeFlank, PlanGauge, PlanningGrid, Prefer, ProfilePlace, ProfilePolicy,
-    StrokedFlank, SwivelSide, Tool, equal_swivel,
+    DressingLimits, DressingRows, Effort, EqualSwivel, FeedLaw, FlankTarget, FreeCoefficients,
+    GeneratingError, GrindingSetup, IdealPlan, MadeFlank, PlanGauge, PlanningGrid, Prefer, ProfilePlace,
+    ProfilePolicy, StrokedFlank, SwivelSide, Tool, equal_swivel,
 };
 use contact::{ContactError, ContactSolution};
 use dressing::DresserTool;
@@ -55,6 +55,8 @@ pub struct PlanTask<'a> {
     pub prefer: Prefer,
     /// Determinant ratio that every contact is to keep.
     pub least_determinant: f64,
+    /// How long a better plan is looked for.
+    pub effort: Effort,
 }
 
 /// The flank of a planned tool.
@@ -392,8 +394,11 @@ impl PlanTask<'_> {
     /// # Errors
     /// [`NoPlan`].
     pub fn plan_or_tried(&self) -> Result<GrindingPlan, Box<NoPlan>> {
+        if let Some(wanted) = &self.setup.wanted_worm {
+            return self.plan_worm(wanted);
+        }
         let mut plan = self.nearest_plan()?;
-        if self.may_be_fitted() && self.strain_of(&plan) > self.tolerance {
+        if self.effort != Effort::Trial && self.may_be_fitted() && self.strain_of(&plan) > self.tolerance {
             plan.least = self.least_deviation(&plan);
         }
         Ok(plan)
@@ -416,7 +421,11 @@ impl PlanTask<'_> {
             return ruled;
         }
         let fitted = self.plan_by_fit(&ruled);
-        if scans_later {
+        if let (Effort::Further(_), Some(fitted)) = (self.effort, &fitted) {
+            let instead_of = ruled.err();
+            return Ok(GrindingPlan { instead_of, ..fitted.clone() });
+        }
+        if scans_later && self.effort != Effort::Trial {
             let enough = if self.prefer == Prefer::Accuracy { self.settled_at() } else { HALF };
             match fitted {
                 Some(fitted) if self.strain_of(&fitted) <= enough * self.tolerance => return Ok(fitted),
@@ -602,7 +611,7 @@ impl PlanTask<'_> {
     }
 
     /// Makes the tool for an ideal plan; where the contact shift of a large modification leaves its length, more of it is made.
-    fn equip(
+    pub(super) fn equip(
         &self,
         ideal: IdealPlan,
         policy: ProfilePolicy,

@@ -113,6 +113,18 @@ impl PlanningGrid {
         Ok(contact.solve_grid(&self.w[flank], &self.z)?)
     }
 
+    /// The same where the tool leaves no contact somewhere: those that are found easily, each with its grid point.
+    pub(super) fn ground_where_easy<S: ToolSurface>(
+        &self,
+        setup: &GrindingSetup,
+        flank: Flank,
+        motion: &GeneratingMotion,
+        surface: &S,
+    ) -> Vec<(usize, ContactSolution)> {
+        let contact = ExactContact::new(&setup.pair, flank, motion, surface);
+        contact.solve_grid_where_easy(&self.w[flank], &self.z)
+    }
+
     /// Correction of the command that the normal errors `e` (target - ground, mm) ask for, transverse; with or without
     /// mixed terms.
     pub fn correction(&self, flank: Flank, e: &[f64], cos_b2: f64, mixed: bool) -> Polynomial2 {

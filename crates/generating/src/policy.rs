@@ -3,6 +3,7 @@
 
 use super::ProfilePlace;
 use super::least_squares::FitNorm;
+use dressing::{RowAlong, RowSet};
 use foundation::geometry::Sides;
 
 /// Who carries the profile, and whether the dresser may be made for it.
@@ -43,34 +44,34 @@ impl Default for SeriesRule {
 /// What the dressing motion has to meet at every position of the worm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DressingRows {
-    /// Each flank with a motion of its own.
-    Alone(FlankRows),
-    /// Both flanks with one motion: two pitch points on each.
-    BothFlanks,
+    /// Each flank with a motion of its own; rows that name no flank stand on it.
+    Alone(RowSet),
+    /// Both flanks with one motion; the rows name their flanks.
+    BothFlanks(RowSet),
 }
 
 impl Default for DressingRows {
     fn default() -> Self {
-        Self::Alone(FlankRows::default())
+        Self::Alone(RowSet::exact(RowAlong::three_points_with_map()))
     }
 }
 
-/// The rows of one flank; with the pitch points four in all.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FlankRows {
-    /// Pitch points of the profile, 3 or 4.
-    pub points: usize,
-    /// The dresser radius made for the largest length of roll stays there.
-    pub map: bool,
-    /// The head part of the dresser leaves the worm its tip radius.
-    pub head: bool,
-    /// Corrections d_phi_S, d_gamma, d_d, d_v_yA that stay 0.
-    pub fixed: [bool; 4],
-}
+impl DressingRows {
+    /// The rows with their weights.
+    pub fn set(&self) -> &RowSet {
+        match self {
+            Self::Alone(rows) | Self::BothFlanks(rows) => rows,
+        }
+    }
 
-impl Default for FlankRows {
-    fn default() -> Self {
-        Self { points: 3, map: true, head: false, fixed: [false; 4] }
+    /// The rows.
+    pub fn rows(&self) -> &[RowAlong] {
+        self.set().rows()
+    }
+
+    /// Whether one motion serves both flanks.
+    pub fn of_both_flanks(&self) -> bool {
+        matches!(self, Self::BothFlanks(_))
     }
 }
 

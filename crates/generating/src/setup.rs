@@ -113,6 +113,8 @@ pub struct GrindingSetup {
     pub tool: Tool,
     /// The strokes in which the worm is dressed; `None`: in one, by the dresser of `tool`.
     pub strokes: Option<Box<StrokeLayout>>,
+    /// What the flanks of a dressed worm are to be, over (w_1, z_1), transverse, mm; `None`: whatever the target of the gear asks for.
+    pub wanted_worm: Option<Box<Sides<Modification>>>,
     /// Direction of the tool's lines, tan(rho_1).
     pub tool_direction: Sides<f64>,
     /// Numbers per flank.
@@ -201,6 +203,7 @@ impl GrindingSetup {
             fields,
             tool,
             strokes: None,
+            wanted_worm: None,
             tool_direction,
             lines,
             root_cut: made.tip_radius - (engaged - input.blank.root_diameter / 2.0),

@@ -7,7 +7,7 @@ use super::{
     Carried, Decomposition, DresserChoice, GeneratingError, GrindingSetup, IdealWorm, StrokeLayout,
     StrokePlace,
 };
-use dressing::{ActiveArea, DresserTool, ProfileSection, Stroke, divide};
+use dressing::{ActiveArea, DresserTool, MovingSection, WidthLaw, divide_moving};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::MotionLaw;
 use foundation::modification::Modification;
@@ -36,8 +36,8 @@ pub struct AreaOfDresser {
 /// A section of the worm's used profile, which begins where the one before it ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DressedSection {
-    /// Share of the used profile at its end.
-    pub to: f64,
+    /// Share of the used profile at its end, over q from -1 to 1 over the evaluated face.
+    pub to: WidthLaw,
     /// Number of the area that dresses it, from 0.
     pub area: usize,
 }
@@ -76,6 +76,7 @@ impl StrokeLayout {
                     parts: Decomposition::nothing(lines.t_k),
                     carried: Carried::default(),
                     reliefs: given.carries[flank].clone(),
+                    moved: None,
                     spline: None,
                     given: None,
                 })
@@ -119,21 +120,21 @@ fn places(
     }
     let mut sections = Vec::with_capacity(choice.sections.len());
     let mut numbers = Vec::with_capacity(choice.sections.len());
-    let mut start = -CONTINUED;
+    let mut start = WidthLaw::constant(-CONTINUED);
     for (k, section) in choice.sections.iter().enumerate() {
         let &(dresser, tool, area) = areas.get(section.area).ok_or(GeneratingError::NotDressed)?;
         let range = tool.flanks[flank].range;
-        let end = if k + 1 == choice.sections.len() { section.to + CONTINUED } else { section.to };
-        let on_worm = |share: f64| range.w_nf + share * range.length();
-        sections.push(ProfileSection { tool, area, range: [on_worm(start), on_worm(end)] });
-        numbers.push(dresser);
+        let continued = if k + 1 == choice.sections.len() { CONTINUED } else { 0.0 };
+        let end = section.to + WidthLaw::constant(continued);
+        let on_worm = |share: WidthLaw| share.times(range.length()) + WidthLaw::constant(range.w_nf);
+        sections.push(MovingSection { tool, area, range: [on_worm(start), on_worm(end)] });
+        numbers.push((dresser, area));
         start = end;
     }
-    let strokes = divide(&sections, flank, choice.overlap)?;
-    let place = |(section, stroke): (usize, Stroke<'_>)| StrokePlace {
-        dresser: numbers[section],
-        area: stroke.area,
-        range: stroke.range,
+    let place = |(section, laws): (usize, [WidthLaw; 2])| {
+        let (dresser, area) = numbers[section];
+        let moves = laws.iter().any(|law| !law.is_constant());
+        StrokePlace { dresser, area, range: laws.map(|law| law.value(0.0)), over_face: moves.then_some(laws) }
     };
-    Ok(strokes.into_iter().map(place).collect())
+    Ok(divide_moving(&sections, flank, choice.overlap)?.into_iter().map(place).collect())
 }

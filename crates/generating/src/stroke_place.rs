@@ -1,7 +1,7 @@
 //! The strokes of a job on its bodies, as data: which dresser touches which part of the worm's profile. How they are laid out stands in
 //! `stroke_layout`.
 
-use dressing::{ActiveArea, DresserTool};
+use dressing::{ActiveArea, DresserTool, WidthLaw};
 use foundation::geometry::Sides;
 
 /// One stroke: what dresses which lengths of roll.
@@ -11,8 +11,17 @@ pub struct StrokePlace {
     pub dresser: usize,
     /// What of it cuts.
     pub area: ActiveArea,
-    /// Lengths of roll of the worm on which the active part is laid, mm.
+    /// Lengths of roll of the worm on which the active part is laid in the middle of the face, mm.
     pub range: [f64; 2],
+    /// The same over the face, where it moves: laws of q, from -1 to 1 over the evaluated face.
+    pub over_face: Option<[WidthLaw; 2]>,
+}
+
+impl StrokePlace {
+    /// Least start and largest end over the face, mm.
+    pub fn reach(&self) -> [f64; 2] {
+        self.over_face.map_or(self.range, |[from, to]| [from.extremes(1.0)[0], to.extremes(1.0)[1]])
+    }
 }
 
 /// The strokes of a job on its bodies.

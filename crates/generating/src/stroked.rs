@@ -7,12 +7,12 @@ use super::{
 };
 use contact::{ContactSolution, ExactContact, ThreadFunction};
 use dressing::{
-    ActiveArea, DressedProfile, DressingError, MovingStroke, NodePlan, Stroke, StrokeAlong, StrokedWorm,
-    solve_stroke_node,
+    ActiveArea, DressedProfile, DresserTool, DressingError, MovingStroke, NodePlan, Stroke, StrokeAlong,
+    StrokedWorm, WidthLaw, solve_stroke_node,
 };
 use foundation::geometry::Flank;
 use foundation::kinematics::GeneratingMotion;
-use foundation::numerics::{Chebyshev, extremes};
+use foundation::numerics::{Chebyshev, equidistant, extremes};
 use rayon::prelude::*;
 
 /// One flank of the worm, dressed in strokes.
@@ -37,6 +37,10 @@ const NEAR: f64 = 1.0;
 const STANDING: f64 = 1e-9;
 /// Parameters that differ by less are the same, mm.
 const ROUNDING: f64 = 1e-9;
+/// Worm z at which strokes that move over the face are looked at for gaps.
+const MOVING_HEIGHTS: usize = 17;
+/// What is left out at both ends there, mm.
+const END: f64 = 1e-5;
 
 impl StrokedFlank {
     /// Strokes with solved or given corrections as a flank.
@@ -56,7 +60,14 @@ impl StrokedFlank {
         }
         let worm = StrokedWorm::of(flank, strokes)?;
         let profile = layout.profile[flank];
-        worm.check_cover(profile, &[from, 0.5 * (from + to), to])?;
+        let moves = places.iter().any(|place| place.over_face.is_some());
+        let heights = if moves {
+            // The very ends of a stroke that moves are known to rounding only.
+            equidistant([from + END, to - END], MOVING_HEIGHTS)
+        } else {
+            vec![from, 0.5 * (from + to), to]
+        };
+        worm.check_cover(profile, &heights)?;
         Ok(Self { places, worm, area: (profile, [from, to]) })
     }
 
@@ -210,7 +221,7 @@ impl Touch {
 
 /// Lengths of roll that a stroke dresses, as far as its range tells, mm.
 fn reach(place: &StrokePlace) -> [f64; 2] {
-    let (part, range) = (place.area.part(), place.range);
+    let (part, range) = (place.area.part(), place.reach());
     let slope = (range[1] - range[0]) / (part[1] - part[0]);
     place.area.touching().map(|t| range[0] + (t - part[0]) * slope)
 }
@@ -225,7 +236,7 @@ fn along(
     ends: [f64; 2],
 ) -> Result<StrokeAlong, GeneratingError> {
     let tool = layout.dressers.get(place.dresser).ok_or(GeneratingError::NotDressed)?;
-    let range = |_: f64| place.range;
+    let range = |b: f64| place.over_face.map_or(place.range, |laws| range_at(worm, tool, flank, &laws, b));
     let stroke = MovingStroke { tool, area: place.area, range: &range };
     let wanted = |w: f64, b: f64| worm.jet(w, b).map_or(f64::NAN, |jet| jet.f);
     let radius = setup.worm_pitch_radius;
@@ -236,7 +247,7 @@ fn along(
     let profile = DressedProfile::new(tool, flank, dk);
     let touched = edges(&place.area, &profile)?;
     let interval = (touched[0] - ends[1], touched[1] - ends[0]);
-    if worm.is_radial() {
+    if worm.is_radial() && place.over_face.is_none() {
         let corrections = dk.map(|x| Chebyshev::constant(interval.0, interval.1, x));
         return Ok(StrokeAlong::at(
             &Stroke { tool, area: place.area, range: place.range },
@@ -244,7 +255,8 @@ fn along(
             corrections,
         )?);
     }
-    let most = if worm.carried.is_empty() { MOST_SMOOTH_NODES } else { MOST_NODES };
+    let most =
+        if worm.carried.is_empty() && place.over_face.is_none() { MOST_SMOOTH_NODES } else { MOST_NODES };
     let lever = [worm.lines.cos_b1 * setup.pair.worm.flank(flank).base_radius, 10.0, 1.0, 0.1];
     let SeriesRule { nodes: mut count, tolerance } = SeriesRule::default();
     loop {
@@ -255,6 +267,30 @@ fn along(
         }
         count = 2 * count - 1;
     }
+}
+
+/// Steps in which the place on the gear of an end that moves over the face is found; each leaves a small share of the error.
+const PLACE_STEPS: usize = 60;
+
+/// Lengths of roll of a stroke at worm z = b, mm: where the ends that move over the face of the gear lie on the worm.
+fn range_at(worm: &IdealWorm, tool: &DresserTool, flank: Flank, laws: &[WidthLaw; 2], b: f64) -> [f64; 2] {
+    let lines = &worm.lines;
+    let [from, to] = lines.face;
+    let middle = tool.flanks[flank].range.middle();
+    laws.map(|law| {
+        let mut w = middle;
+        for _ in 0..PLACE_STEPS {
+            let [_, z] = lines.work_point(w, b, &worm.shift);
+            let next = law.value((2.0 * z.f - from - to) / (to - from));
+            let step = next - w;
+            w = next;
+            if step.abs() < ROUNDING {
+                return w;
+            }
+        }
+        // An end that runs along the lines of the tool has no place of its own on them.
+        f64::NAN
+    })
 }
 
 /// Least and largest worm z at v = 0 of the line in which an area touches the worm.

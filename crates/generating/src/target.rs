@@ -1,10 +1,11 @@
 //! The target of one flank, split into what the class can carry as it stands and what it cannot (`docs/mathematics/planning.md`).
 
-use super::GeneratingError;
 use super::class_fit::ClassFit;
 use super::least_squares::{DEFAULT_GRID, Samples};
+use super::{GeneratingError, MovedProfile};
 use foundation::modification::Modification;
 use foundation::numerics::{Jet2, Polynomial2, equidistant};
+use std::sync::Arc;
 
 /// A target flank f_t(w, z), split. Transverse, mm.
 #[derive(Clone, Debug)]
@@ -17,6 +18,8 @@ pub struct FlankTarget {
     pub of_class: Polynomial2,
     /// Parts of w alone that are no polynomials (reliefs, arcs): carried by the profile as they stand.
     pub reliefs: Vec<Modification>,
+    /// Where the reliefs of a dresser that exists are laid, if not where it was designed for.
+    pub moved: Option<Arc<MovedProfile>>,
     /// Parts that are neither: the tool's lines may carry them as they stand.
     pub rest: Vec<Modification>,
     /// `rest` on the grid of general decompositions, with the tolerances that weigh it.
@@ -36,6 +39,9 @@ pub enum Carrier {
     /// The lines of a freely made tool carry everything.
     Lines,
 }
+
+/// The length of roll for which a dresser was designed where it makes (w, z) of the gear, mm.
+pub type PlaceOfDresser<'a> = &'a dyn Fn(f64, f64) -> f64;
 
 impl FlankTarget {
     /// Splits a target that a dresser made for it may carry.
@@ -64,13 +70,28 @@ impl FlankTarget {
         given: Modification,
     ) -> Result<Self, GeneratingError> {
         given.check_field()?;
-        Self::split(modification, Carrier::Dresser, Some(given))
+        Self::split(modification, Carrier::Dresser, Some((given, &|w, _| w)))
+    }
+
+    /// The same for a dresser whose profile the conditions of dressing lay elsewhere: `place` is the length of roll for which the dresser
+    /// was designed where it makes (w, z) of the gear.
+    ///
+    /// # Errors
+    /// Evaluation errors of the modifications, of the dresser's also beyond its field.
+    pub fn with_moved_dresser(
+        modification: Modification,
+        given: Modification,
+        moved: Arc<MovedProfile>,
+        place: PlaceOfDresser<'_>,
+    ) -> Result<Self, GeneratingError> {
+        let target = Self::split(modification, Carrier::Dresser, Some((given, place)))?;
+        Ok(Self { moved: Some(moved), ..target })
     }
 
     fn split(
         modification: Modification,
         carrier: Carrier,
-        given: Option<Modification>,
+        given: Option<(Modification, PlaceOfDresser<'_>)>,
     ) -> Result<Self, GeneratingError> {
         modification.check_field()?;
         let in_class = |i: usize, j: usize| match carrier {
@@ -104,8 +125,8 @@ impl FlankTarget {
                     for term in &rest {
                         f += term.value(w, z)?;
                     }
-                    if let Some(given) = &given {
-                        f -= given.value(w, z)?;
+                    if let Some((given, place)) = &given {
+                        f -= given.value(place(w, z), z)?;
                     }
                     points.push((w - w_m, z - z_m));
                     values.push(f);
@@ -125,8 +146,8 @@ impl FlankTarget {
             }
         }
         let rest_samples = if rest.is_empty() { None } else { Some(samples_of(&modification, &rest)?) };
-        reliefs.extend(given);
-        Ok(Self { modification, polynomial, of_class, reliefs, rest, rest_samples, outside })
+        reliefs.extend(given.map(|(given, _)| given));
+        Ok(Self { modification, polynomial, of_class, reliefs, moved: None, rest, rest_samples, outside })
     }
 
     /// Weighs what has to be best-fitted by a tolerance over (w, z), mm.

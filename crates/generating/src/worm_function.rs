@@ -2,11 +2,12 @@
 //! point (`docs/mathematics/generating-contact.md#decomposition-of-a-target`, `docs/mathematics/planning.md#from-the-ratio-to-the-flank`).
 
 use super::target::relief_jet;
-use super::{Carried, Decomposition, FlankLines};
+use super::{Carried, Decomposition, FlankLines, MovedProfile};
 use contact::ThreadFunction;
 use foundation::kinematics::{MotionLaw, PiecewisePolynomial};
 use foundation::modification::Modification;
 use foundation::numerics::Jet2;
+use std::sync::Arc;
 
 /// f_n1(w_1, z_1) = -cos b2 (F_C + F_L u + carried + F_P + reliefs) at the mapped point, normal, mm; or the modification that a
 /// tool already has.
@@ -22,6 +23,8 @@ pub struct IdealWorm {
     pub carried: Carried,
     /// Profile parts that are no polynomials.
     pub reliefs: Vec<Modification>,
+    /// Where the reliefs of a dresser that exists are laid; `None`: where it was designed for.
+    pub moved: Option<Arc<MovedProfile>>,
     /// A fitted profile over w_2, transverse, mm.
     pub spline: Option<PiecewisePolynomial>,
     /// The modification of a tool that exists, over (w_1, z_1), transverse, mm: it takes the place of all others.
@@ -65,7 +68,8 @@ impl IdealWorm {
         1.0 / (1.0 + (beyond / fall).min(700.0).exp())
     }
 
-    /// The profile part on the gear, F_P + reliefs + spline, transverse, with two derivatives by w_2; `None` where it does not exist.
+    /// The profile part on the gear, F_P + reliefs + spline, transverse, with two derivatives by w_2, of a dresser in its designed place;
+    /// `None` where it does not exist.
     pub fn profile_share(&self, w_2: f64) -> Option<[f64; 3]> {
         let relief = relief_jet(&self.reliefs, w_2, self.lines.z_m)?;
         let profile = self.parts.profile_jet(w_2 - self.lines.w_m);
@@ -81,13 +85,25 @@ impl ThreadFunction for IdealWorm {
         }
         let cos = -self.lines.cos_b2;
         let slope = self.lines.work_roll_slope();
-        let p = self.profile_share(self.lines.work_roll(w_1))?;
+        let w_2 = self.lines.work_roll(w_1);
+        let mut p = self.profile_share(w_2)?;
+        let mut moved = Jet2::default();
+        if let Some(places) = &self.moved {
+            let place = places.jet(w_1, z_1);
+            let here = relief_jet(&self.reliefs, w_2, self.lines.z_m)?;
+            let [f, f_w, f_ww] = relief_jet(&self.reliefs, self.lines.work_roll(place.f), self.lines.z_m)?;
+            for (p, here) in p.iter_mut().zip(here) {
+                *p -= here;
+            }
+            let there = Jet2 { f, fu: f_w * slope, fuu: f_ww * slope * slope, ..Jet2::default() };
+            moved = there.of(place, Jet2::default()) * cos;
+        }
         let mut jet = Jet2 {
             f: p[0] * cos,
             fu: p[1] * slope * cos,
             fuu: p[2] * slope * slope * cos,
             ..Jet2::default()
-        };
+        } + moved;
         if !self.is_radial() {
             jet += self.dressing_jet(w_1, z_1)? * cos;
         }

@@ -8,7 +8,7 @@ use foundation::modification::{Modification, ModificationSpec, NoFiles};
 use foundation::numerics::Polynomial2;
 use generating::least_squares::FitNorm;
 use generating::{
-    Command, Decomposition, DresserChoice, DressingLimits, DressingRows, FeedLaw, FlankTarget, Gauge,
+    Command, Decomposition, DresserChoice, DressingLimits, DressingRows, Effort, FeedLaw, FlankTarget, Gauge,
     GeneratingError, GrindingSetup, IdealPlan, LocalEnvelope, PlanGauge, PlanTask, PlanningGrid, Prefer,
     ProfilePlace, ProfilePolicy, QuadraticWorm, SeriesRule, SetupInput, constant_only_profile_crowning,
     decompose_diagonal, decompose_quadratic, decompose_radial, kinematic_compliance, motion_of_flanks,
@@ -97,6 +97,7 @@ fn task(setup: &GrindingSetup) -> PlanTask<'_> {
         grid: (5, 5),
         prefer: Prefer::Accuracy,
         least_determinant: 0.1,
+        effort: Effort::Full,
     }
 }
 

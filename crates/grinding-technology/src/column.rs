@@ -34,6 +34,24 @@ pub(crate) fn above(stock: &[f64], lengths: &[f64], level: f64) -> f64 {
     stock.windows(2).zip(lengths).map(cell).sum()
 }
 
+/// The squares of reaches, in slices, that lie in each slice.
+pub(crate) fn in_slices(reaches: impl Iterator<Item = f64>, slices: usize) -> Vec<f64> {
+    let mut amounts = vec![0.0; slices];
+    let mut ending = vec![0.0; slices];
+    for far in reaches.filter(|far| *far > 0.0) {
+        // A slice that a reach ends in has a part of its own, those below are whole.
+        let last = (far as usize).min(slices - 1);
+        ending[last] += 1.0;
+        amounts[last] += far * far - (last * last) as f64;
+    }
+    let mut beyond = 0.0;
+    for n in (0..slices).rev() {
+        amounts[n] += beyond * (2 * n + 1) as f64;
+        beyond += ending[n];
+    }
+    amounts
+}
+
 /// Section that goes per feed: the integral of H D over the places with 0 < D and H D^2/2 below the depth of cut. `reach` are the distances
 /// sqrt(2 a_e/H) along the face width, `ahead` is D at its first place and D at its last.
 pub(crate) fn section(reach: &[f64], ahead: [f64; 2], curvature: f64) -> f64 {

@@ -1,8 +1,7 @@
 //! How fast a stroke takes material: over all, and per millimetre of the worm's profile.
 
-use super::column::section;
+use super::column::{in_slices, section};
 use super::sampled::{Sampled, area_weights};
-use super::wear::in_slices;
 use super::{Cycle, STATIONS};
 use foundation::geometry::Flank;
 use rayon::prelude::*;
@@ -86,28 +85,21 @@ impl Cycle {
     fn sections_of_all(&self, stroke: usize, flank: Flank, i: usize, feeds: &[f64]) -> Vec<f64> {
         let figures = &self.strokes[stroke];
         let of_flank = &figures.flanks[flank];
-        let [low, high] = of_flank.between;
         let sampled = &self.whole[flank];
         let (w, curvature) = (sampled.w[i], sampled.curvature[i]);
         let cells = sampled.z.len() - 1;
         let length = self.bodies.face_width / cells as f64;
-        // D in cells: [space][cell].
-        let reach = |pair: &[f64]| {
-            let depth = (0.5 * (pair[0] + pair[1])).clamp(low, high) - low;
-            (2.0 * depth / curvature).sqrt() / length
-        };
-        let columns = (0..sampled.spaces).flat_map(|k| sampled.column(i, k).windows(2));
-        let reaches: Vec<f64> = columns.map(reach).collect();
+        let reaches = sampled.reaches(i, of_flank.between);
         let farthest = reaches.iter().copied().fold(0.0, f64::max);
         if farthest <= 0.0 {
             return vec![0.0; feeds.len()];
         }
-        let slices = farthest.ceil() as usize;
+        let slices = (farthest / length).ceil() as usize;
         let mut diagonals = vec![0.0; cells + slices];
         for cell in 0..cells {
             // Against the feed: a stroke with rising feed begins at the upper end.
             let first = if figures.sign() > 0.0 { cells - 1 - cell } else { cell };
-            let amounts = in_slices(reaches.iter().skip(cell).step_by(cells).copied(), slices);
+            let amounts = in_slices(reaches.iter().skip(cell).step_by(cells).map(|far| far / length), slices);
             // Far stock goes first.
             diagonals[first..].iter_mut().zip(amounts.iter().rev()).for_each(|(sum, amount)| *sum += amount);
         }

@@ -90,6 +90,16 @@ impl Sampled {
         Self { w, curvature, z, spaces, alike, values }
     }
 
+    /// D at which the stock of each cell along the face width goes that lies between two heights, at the `i`th length of roll, mm:
+    /// [space][cell].
+    pub fn reaches(&self, i: usize, [low, high]: [f64; 2]) -> Vec<f64> {
+        let reach = |pair: &[f64]| {
+            let depth = (0.5 * (pair[0] + pair[1])).clamp(low, high) - low;
+            (2.0 * depth / self.curvature[i]).sqrt()
+        };
+        (0..self.spaces).flat_map(|k| self.column(i, k).windows(2).map(reach)).collect()
+    }
+
     /// a_0 along the face width at the `i`th length of roll of a space.
     pub fn column(&self, i: usize, space: usize) -> &[f64] {
         let k = space.min(self.spaces - 1);

@@ -40,17 +40,6 @@ impl Shift {
     pub fn straight(ratio: f64, origin: f64) -> Self {
         Self { law: MotionLaw::polynomial(0.0, vec![origin, ratio]), step_per_part: 0.0 }
     }
-
-    /// The diagonal ratio over a range of the feed: of its ends, and the one farthest from 0.
-    pub fn ratios(&self, [from, to]: [f64; 2]) -> ShiftRatios {
-        let mean = (self.law.value(to) - self.law.value(from)) / (to - from);
-        if self.law.is_affine() {
-            return ShiftRatios { mean, steepest: mean };
-        }
-        let slopes = equidistant([from, to], SLOPES).into_iter().map(|v| self.law.jet(v)[1]);
-        let steepest = slopes.fold(mean, |most, slope| if slope.abs() > most.abs() { slope } else { most });
-        ShiftRatios { mean, steepest }
-    }
 }
 
 /// Places at which the slope of a shift is looked at.
@@ -63,6 +52,19 @@ pub struct ShiftRatios {
     pub mean: f64,
     /// The one farthest from 0.
     pub steepest: f64,
+}
+
+impl ShiftRatios {
+    /// Of a law over a range of the feed.
+    pub fn of(law: &MotionLaw, [from, to]: [f64; 2]) -> Self {
+        let mean = (law.value(to) - law.value(from)) / (to - from);
+        if law.is_affine() {
+            return Self { mean, steepest: mean };
+        }
+        let slopes = equidistant([from, to], SLOPES).into_iter().map(|v| law.jet(v)[1]);
+        let steepest = slopes.fold(mean, |most, slope| if slope.abs() > most.abs() { slope } else { most });
+        Self { mean, steepest }
+    }
 }
 
 /// Flanks that a stroke grinds.

@@ -1,7 +1,7 @@
 //! How long strokes, infeeds and dressing take on given axes: moves from rest to rest in seven phases, as programs drive them.
 
 use super::error::{in_range, positive};
-use super::{Bodies, Cycle, DressingTechnology, StrokeFigures, TechnologyError};
+use super::{Bodies, Cycle, DressingTechnology, ShiftRatios, StrokeFigures, TechnologyError};
 use motion::SCurve;
 
 /// Limits of an axis; mm or deg, and s.
@@ -142,7 +142,7 @@ impl Driven {
         Self {
             feed: figures.feed,
             per_revolution: figures.stroke.feed_per_revolution,
-            ratio: figures.stroke.shift.ratios(figures.contact).steepest,
+            ratio: ShiftRatios::of(&figures.stroke.shift.law, figures.contact).steepest,
             sign: figures.sign(),
             travel: figures.travel,
         }

@@ -52,12 +52,18 @@ pub(crate) fn volumes(
         row
     };
     let rows: Vec<Vec<f64>> = weighted.par_iter().map(row).collect();
-    let above = |level: f64, space: usize| -> f64 {
+    // Nothing lies above an infinite level.
+    let whole = |level: f64| -> Vec<f64> {
         let place = levels.iter().position(|other| *other == level);
-        place.map_or(0.0, |place| rows.iter().map(|row| row[space * levels.len() + place]).sum())
+        let of_space = |space: usize| {
+            place.map_or(0.0, |place| rows.iter().map(|row| row[space * levels.len() + place]).sum())
+        };
+        (0..spaces).map(of_space).collect()
     };
-    let in_band = |[low, high]: [f64; 2], space: usize| above(low, space) - above(high, space);
-    bands.iter().map(|&band| (0..spaces).map(|space| in_band(band, space)).collect()).collect()
+    let in_band = |[low, high]: [f64; 2]| {
+        whole(low).into_iter().zip(whole(high)).map(|(low, high)| low - high).collect()
+    };
+    bands.iter().map(|&band| in_band(band)).collect()
 }
 
 /// Axial places between which the stock is smooth, and near enough to count as linear.

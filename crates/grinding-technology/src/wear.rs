@@ -1,5 +1,6 @@
 //! What each place of the worm's width removes: V'_w after some parts (`docs/mathematics/grinding-technology.md#wear-of-the-worm`).
 
+use super::column::in_slices;
 use super::cycle::{BENT_CELLS, OnWorm};
 use super::{Cycle, STATIONS};
 use foundation::geometry::{Flank, Sides};
@@ -167,19 +168,12 @@ impl Cycle {
     /// S of one stroke at a station; `None` where it takes nothing.
     fn spread(&self, stroke: usize, flank: Flank, station: usize) -> Option<Spread> {
         let figures = &self.strokes[stroke];
-        let [low, high] = figures.flanks[flank].between;
         let sampled = &self.stations[flank];
         let w = sampled.w[station];
         let curvature = sampled.curvature[station];
         let on_worm = OnWorm::new(&self.bodies, flank, figures, w);
         let cells = sampled.z.len() - 1;
-        // D of each cell along the face width and each space, mm: [space][cell].
-        let reach = |pair: &[f64]| {
-            let depth = (0.5 * (pair[0] + pair[1])).clamp(low, high) - low;
-            (2.0 * depth / curvature).sqrt()
-        };
-        let columns = (0..sampled.spaces).flat_map(|k| sampled.column(station, k).windows(2));
-        let reaches: Vec<f64> = columns.map(reach).collect();
+        let reaches = sampled.reaches(station, figures.flanks[flank].between);
         let farthest = reaches.iter().copied().fold(0.0, f64::max);
         if farthest <= 0.0 {
             return None;
@@ -211,24 +205,6 @@ impl Cycle {
             step_per_part: figures.stroke.shift.step_per_part,
         })
     }
-}
-
-/// The squares of reaches, in slices, that lie in each slice.
-pub(crate) fn in_slices(reaches: impl Iterator<Item = f64>, slices: usize) -> Vec<f64> {
-    let mut amounts = vec![0.0; slices];
-    let mut ending = vec![0.0; slices];
-    for far in reaches.filter(|far| *far > 0.0) {
-        // A slice that a reach ends in has a part of its own, those below are whole.
-        let last = (far as usize).min(slices - 1);
-        ending[last] += 1.0;
-        amounts[last] += far * far - (last * last) as f64;
-    }
-    let mut beyond = 0.0;
-    for n in (0..slices).rev() {
-        amounts[n] += beyond * (2 * n + 1) as f64;
-        beyond += ending[n];
-    }
-    amounts
 }
 
 impl WearTask<'_> {

@@ -52,10 +52,37 @@ impl Machine {
     /// [`MachineError::Unreachable`] for a direction that its rotary axes do not reach; [`MachineError::Singular`];
     /// [`MachineError::InvalidPose`], [`MachineError::InvalidNumber`].
     pub fn tool_placed(&self, pose: &Pose<Bed, ToolSpindle>) -> Result<Vec<Positions>, MachineError> {
+        self.placed(pose, &[])
+    }
+
+    /// The same with the first axis of the limb held where it stands: a carrier that brings the whole of the others before something else.
+    ///
+    /// # Errors
+    /// As [`Machine::tool_placed`]; [`MachineError::MissingAxis`] for a limb that begins with another axis.
+    pub fn tool_placed_on(
+        &self,
+        pose: &Pose<Bed, ToolSpindle>,
+        (carrier, stands): (usize, f64),
+    ) -> Result<Vec<Positions>, MachineError> {
+        let held: [usize; 1] = [carrier];
+        if self.tool().axes.first() != Some(&carrier) {
+            return Err(self.missing("tool carrier"));
+        }
+        let mut at = Positions::default();
+        at[carrier] = stands;
+        // As the others see it with the carrier at zero.
+        let wanted = self.carried(&held, &at).inverse().then(pose);
+        let mut found = self.placed(&wanted, &held)?;
+        found.iter_mut().for_each(|at| at[carrier] = stands);
+        Ok(found)
+    }
+
+    fn placed(&self, pose: &Pose<Bed, ToolSpindle>, held: &[usize]) -> Result<Vec<Positions>, MachineError> {
         check_pose(pose)?;
         let limb = self.tool();
+        let free = limb.axes.iter().filter(|axis| !held.contains(axis));
         let (rotary, linear): (Vec<usize>, Vec<usize>) =
-            limb.axes.iter().partition(|&&axis| self.joint(axis) == Joint::Rotary);
+            free.partition(|&&axis| self.joint(axis) == Joint::Rotary);
         let linear = <[usize; 3]>::try_from(linear).map_err(|_| self.not_placed())?;
         let wanted = pose.then(&limb.home::<ToolSpindle>().inverse());
         let sets = self.angles(&rotary, wanted.rotation())?;

@@ -29,6 +29,11 @@ impl Topography {
         Self { f: self.f.iter().zip(&other.f).map(|(a, b)| a - b).collect(), ..self.clone() }
     }
 
+    /// Pointwise sum with another topography on the same grid.
+    pub fn plus(&self, other: &Self) -> Self {
+        Self { f: self.f.iter().zip(&other.f).map(|(a, b)| a + b).collect(), ..self.clone() }
+    }
+
     /// Largest absolute value, mm; NaN if a value is.
     pub fn largest(&self) -> f64 {
         self.f.iter().fold(0.0, |m: f64, f| if f.is_nan() || m.is_nan() { f64::NAN } else { m.max(f.abs()) })

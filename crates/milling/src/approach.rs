@@ -1,4 +1,4 @@
-//! Quarter circles on which the cutter comes to a row and leaves it, instead of over the overrun
+//! Arcs and straight pieces on which the cutter comes to a row and leaves it, beside the overrun
 //! (`docs/mathematics/milling.md#positions-of-five-axes`).
 
 use super::{CutterPath, CutterPlace, MillingError, Patch};
@@ -10,10 +10,33 @@ use std::f64::consts::FRAC_PI_2;
 /// chords lie farther from the flank than the circle: whatever this is, it costs no material.
 const CHORD: f64 = 1e-3;
 
+/// How a cutter comes to a row or, the other way round, leaves it: straight, then on an arc that touches the row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeadArc {
+    /// rho_A: radius of the arc, mm.
+    pub radius: f64,
+    /// Angle of the arc, rad, up to a quarter turn.
+    pub angle: f64,
+    /// Length of the straight piece, which touches the arc, mm.
+    pub straight: f64,
+}
+
+impl LeadArc {
+    /// A quarter circle, mm.
+    pub const fn quarter(radius: f64) -> Self {
+        Self { radius, angle: FRAC_PI_2, straight: 0.0 }
+    }
+
+    /// How far aside of the row it begins, mm.
+    pub fn aside(&self) -> f64 {
+        self.radius * (1.0 - self.angle.cos()) + self.straight * self.angle.sin()
+    }
+}
+
 /// Arcs at the ends of rows.
 pub(super) struct ApproachArcs<'a> {
-    /// rho_A, mm.
-    pub radius: f64,
+    /// Before the first place of a path in the order of its columns, and behind the last one.
+    pub leads: [Option<LeadArc>; 2],
     /// The cutter.
     pub cutter: &'a Cutter,
     /// The flank across the space.
@@ -35,14 +58,14 @@ impl ApproachArcs<'_> {
     ) -> Result<CutterPath, MillingError> {
         let [begin, next, ..] = path.places[..] else { return Ok(path) };
         let [.., before, end] = path.places[..] else { return Ok(path) };
-        let arc = |[at, towards]: [CutterPlace; 2], normal: Option<Vector3<f64>>| {
-            let Some(normal) = normal else { return Ok(Vec::new()) };
+        let arc = |lead: Option<LeadArc>, [at, towards]: [CutterPlace; 2], normal: Option<Vector3<f64>>| {
+            let Some((lead, normal)) = lead.zip(normal) else { return Ok(Vec::new()) };
             let way = towards.tip - at.tip;
             let travel = (way - normal * way.dot(&normal)).normalize();
-            approach_arc(&at, &travel, &normal, self.radius, self.room(&at))
+            approach_arc(&at, &travel, &normal, &lead, self.room(&at))
         };
-        let mut places = arc([begin, next], first)?;
-        let departure = arc([end, before], last)?;
+        let mut places = arc(self.leads[0], [begin, next], first)?;
+        let departure = arc(self.leads[1], [end, before], last)?;
         places.extend(path.places);
         places.extend(departure.into_iter().rev());
         Ok(CutterPath { places })
@@ -55,7 +78,7 @@ impl ApproachArcs<'_> {
     }
 }
 
-/// A quarter circle on which the cutter comes to the first place of a path, its axis as there, the place itself not included; the other
+/// The way on which the cutter comes to the first place of a path, its axis as there, the place itself not included; the other
 /// way round it is the departure from the last one. `travel` is the feed there, `normal` the flank's, both units; `room` is what the
 /// cutter is free to move there, mm. The contact of a place is the point of the cutter that will touch.
 ///
@@ -65,22 +88,30 @@ pub fn approach_arc(
     place: &CutterPlace,
     travel: &Vector3<f64>,
     normal: &Vector3<f64>,
-    radius: f64,
+    lead: &LeadArc,
     room: f64,
 ) -> Result<Vec<CutterPlace>, MillingError> {
-    if radius.is_nan() || radius >= room {
-        return Err(MillingError::Approach { radius, room });
+    let LeadArc { radius, angle, straight } = *lead;
+    let aside = lead.aside();
+    // Written so that NaN fails.
+    let fits = aside < room;
+    if !fits {
+        return Err(MillingError::Approach { aside, room });
     }
     // A chord over the angle x leaves its circle by radius (1 - cos(x/2)).
     let widest = 2.0 * (1.0 - CHORD / radius).max(-1.0).acos();
-    let pieces = (FRAC_PI_2 / widest).ceil().max(1.0) as usize;
-    let at = |piece: usize| {
-        let (sin, cos) = (FRAC_PI_2 * (1.0 - piece as f64 / pieces as f64)).sin_cos();
-        let away = normal * (radius * (1.0 - cos)) - travel * (radius * sin);
+    let pieces = (angle / widest).ceil().max(1.0) as usize;
+    let away = |(sin, cos): (f64, f64), straight: f64| {
+        normal * (radius * (1.0 - cos) + straight * sin) - travel * (radius * sin + straight * cos)
+    };
+    let at = |away: Vector3<f64>| {
         let contact = place.contact.map(|contact| contact + away);
         CutterPlace { tip: place.tip + away, contact, ..*place }
     };
-    Ok((0..pieces).map(at).collect())
+    let begin = (straight > 0.0).then(|| at(away(angle.sin_cos(), straight)));
+    let arc =
+        (0..pieces).map(|piece| at(away((angle * (1.0 - piece as f64 / pieces as f64)).sin_cos(), 0.0)));
+    Ok(begin.into_iter().chain(arc).collect())
 }
 
 #[cfg(test)]
@@ -100,7 +131,8 @@ mod tests {
     fn arcs_lead_tangentially_into_the_row_and_out_of_it() {
         let cutter =
             Cutter::new(foundation::geometry::CutterShape::end_mill(2.0, 0.5), 10.0, vec![]).unwrap();
-        let arcs = ApproachArcs { radius: 0.8, cutter: &cutter, opposite: None, safety: 0.2 };
+        let leads = [Some(LeadArc::quarter(0.8)); 2];
+        let arcs = ApproachArcs { leads, cutter: &cutter, opposite: None, safety: 0.2 };
         let normal = Vector3::x();
         let path = arcs.around(straight(), [Some(normal); 2]).unwrap().places;
         let one = (path.len() - 3) / 2;
@@ -127,11 +159,28 @@ mod tests {
     #[test]
     fn an_arc_that_does_not_fit_is_refused_with_its_numbers() {
         let at = straight().places[0];
-        let refused = approach_arc(&at, &Vector3::z(), &Vector3::x(), 0.8, 0.8);
-        assert_eq!(refused, Err(MillingError::Approach { radius: 0.8, room: 0.8 }));
-        assert!(approach_arc(&at, &Vector3::z(), &Vector3::x(), f64::NAN, 0.8).is_err());
-        assert!(approach_arc(&at, &Vector3::z(), &Vector3::x(), 0.79, 0.8).is_ok());
+        let arc = |lead: LeadArc| approach_arc(&at, &Vector3::z(), &Vector3::x(), &lead, 0.8);
+        let refused = arc(LeadArc::quarter(0.81));
+        let Err(MillingError::Approach { aside, room: 0.8 }) = refused else { panic!("{refused:?}") };
+        assert!((aside - 0.81).abs() < 1e-15);
+        assert!(arc(LeadArc::quarter(f64::NAN)).is_err());
+        assert!(arc(LeadArc::quarter(0.79)).is_ok());
         // Shorter than what a chord may be off: one straight block.
-        assert_eq!(approach_arc(&at, &Vector3::z(), &Vector3::x(), 4e-4, 0.8).unwrap().len(), 1);
+        assert_eq!(arc(LeadArc::quarter(4e-4)).unwrap().len(), 1);
+    }
+
+    #[test]
+    fn a_straight_piece_goes_on_where_the_arc_points() {
+        let at = straight().places[0];
+        let lead = LeadArc { radius: 2.0, angle: 0.5, straight: 1.5 };
+        let places = approach_arc(&at, &Vector3::z(), &Vector3::x(), &lead, 10.0).unwrap();
+        let [begin, arc] = [places[0].tip, places[1].tip].map(|tip| tip - at.tip);
+        // The arc's centre is a radius off the row; the piece stands across its radius.
+        let centre = Vector3::new(2.0, 0.0, 0.0);
+        assert!(((arc - centre).norm() - 2.0).abs() < 1e-14 && ((begin - arc).norm() - 1.5).abs() < 1e-14);
+        assert!((begin - arc).dot(&(arc - centre)).abs() < 1e-14);
+        assert!((begin.x - lead.aside()).abs() < 1e-14, "{begin}");
+        // Into the flank it never goes.
+        assert!(places.iter().all(|place| (place.tip - at.tip).x > 0.0));
     }
 }

@@ -73,7 +73,9 @@ pub enum MillingError {
     /// Rows cannot be spaced because the weight along the column is not smooth.
     #[error("rows cannot be spaced on the column at u = {u}: the weight is known to {tail:e} only")]
     #[finding(code = "spacing-not-smooth")]
-    #[way_out("space the rows by equal arcs")]
+    #[way_out(
+        "space the rows by equal arcs, or with a relief in the profile by equal steps of the height (row_spacing = \"parameter\")"
+    )]
     SpacingNotSmooth {
         /// Parameter of the guide curve.
         u: f64,
@@ -218,13 +220,15 @@ pub enum MillingError {
     },
     /// An approach on an arc does not fit into the gap.
     #[error(
-        "an approach on a radius of {radius} mm does not fit: the cutter is free to move {room:.4} mm before it comes too near to the opposite flank"
+        "an approach from {aside:.4} mm beside the row does not fit: the cutter is free to move {room:.4} mm before it comes too near to the opposite flank"
     )]
     #[finding(code = "approach")]
-    #[way_out("take a smaller radius, or let the tool come in beside the face")]
+    #[way_out(
+        "take a smaller radius or angle or a shorter straight piece, or let the tool come in beside the face"
+    )]
     Approach {
-        /// Radius of the arc, mm.
-        radius: f64,
+        /// How far beside the row it begins, mm.
+        aside: f64,
         /// Clearance to the opposite flank without what is to be kept from it, mm.
         room: f64,
     },

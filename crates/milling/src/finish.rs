@@ -83,8 +83,10 @@ pub(super) fn nearest(
 pub struct FinishOptions<'a> {
     /// The cutter.
     pub cutter: &'a Cutter,
-    /// Tilt and lead angle, the same everywhere.
+    /// Tilt and lead angle.
     pub orientation: Orientation,
+    /// Tilt of the last row, rad, where rows lean differently: linear in the row's number.
+    pub tilt_at_tip: Option<f64>,
     /// Contact heights on a straight side.
     pub heights: &'a HeightRule,
     /// The finished bottom, and what the cutter's corner keeps from it, mm.
@@ -93,9 +95,21 @@ pub struct FinishOptions<'a> {
     pub kept: Vec<Kept<'a>>,
 }
 
+impl FinishOptions<'_> {
+    /// How the axis is turned in a row of so many.
+    pub fn orientation_of(&self, row: usize, rows: usize) -> Orientation {
+        let from = self.orientation.tilt;
+        let share = row as f64 / rows.saturating_sub(1).max(1) as f64;
+        let tilt = self.tilt_at_tip.map_or(from, |to| from + (to - from) * share);
+        Orientation { tilt, ..self.orientation }
+    }
+}
+
 /// One row with the cutter at all of its points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FinishedRow {
+    /// How the axis is turned.
+    pub orientation: Orientation,
     /// Contact height, mm; of corners, balls and barrels it follows from the axis and stands in the locations.
     pub contact_height: f64,
     /// What bottom and edge allow, and opposite flank and root body where they do not let the wanted height pass; `None` for cutters
@@ -120,13 +134,14 @@ const SAME: f64 = 1e-6;
 /// and those of the locations.
 pub fn finish(grid: &FlankGrid, options: &FinishOptions) -> Result<Vec<FinishedRow>, MillingError> {
     let shape = options.cutter.shape();
-    let sided = has_side(shape, &options.orientation);
+    let sided = has_side(shape, &options.orientation) && options.tilt_at_tip.is_none();
     let rows = grid.rows();
     // First of all whether this kind of cutter suits the flank at all.
     let height = if sided { least_height(shape) } else { 0.0 };
     for column in &grid.columns {
-        for place in &column.places {
-            let location = locate(place, &column.lead, options, height)?;
+        for (row, place) in column.places.iter().enumerate() {
+            let turned = options.orientation_of(row, rows);
+            let location = locate(place, &column.lead, (options.cutter, turned), height)?;
             LocalContact::new(&place.jet, &location, shape).check(&place.jet)?;
         }
     }
@@ -144,9 +159,10 @@ pub fn finish(grid: &FlankGrid, options: &FinishOptions) -> Result<Vec<FinishedR
     };
     let of_row = |row: usize| {
         let mut locations = Vec::with_capacity(grid.columns.len());
+        let turned = options.orientation_of(row, rows);
         for (number, column) in grid.columns.iter().enumerate() {
             let place = &column.places[row];
-            let location = locate(place, &column.lead, options, heights[row])?;
+            let location = locate(place, &column.lead, (options.cutter, turned), heights[row])?;
             LocalContact::new(&place.jet, &location, shape).check(&place.jet)?;
             let all: &[Kept] = if sided { &[] } else { &options.kept };
             if let Some(met) = all.iter().find(|kept| !kept.keeps(options.cutter, number, &location)) {
@@ -157,6 +173,7 @@ pub fn finish(grid: &FlankGrid, options: &FinishOptions) -> Result<Vec<FinishedR
             locations.push(location);
         }
         Ok(FinishedRow {
+            orientation: turned,
             contact_height: heights[row],
             window: windows.as_ref().map(|windows| windows[row]),
             limited: options.heights.wanted(row, rows).is_some_and(|wanted| sided && wanted != heights[row]),
@@ -183,18 +200,10 @@ fn has_side(shape: &CutterShape, orientation: &Orientation) -> bool {
 fn locate(
     place: &GridPlace,
     lead: &LeadPoint,
-    options: &FinishOptions,
+    (cutter, turned): (&Cutter, Orientation),
     height: f64,
 ) -> Result<CutterLocation, MillingError> {
-    let cutter = options.cutter;
-    CutterLocation::new(
-        &place.jet,
-        lead,
-        cutter.shape(),
-        cutter.cutting_length(),
-        height,
-        options.orientation,
-    )
+    CutterLocation::new(&place.jet, lead, cutter.shape(), cutter.cutting_length(), height, turned)
 }
 
 /// The contact height of a cutter at which its corner just keeps what it has to keep from the bottom, mm.
@@ -208,7 +217,9 @@ fn above_bottom(
         return Ok(f64::INFINITY);
     };
     let least = least_height(options.cutter.shape());
-    let axis = |place: &GridPlace| Ok::<_, MillingError>(locate(place, &column.lead, options, least)?.axis);
+    // Only a straight side has a height that is chosen, and takes no tilt.
+    let tool = (options.cutter, options.orientation);
+    let axis = |place: &GridPlace| Ok::<_, MillingError>(locate(place, &column.lead, tool, least)?.axis);
     let level = match bottom {
         Bottom::Level(height) => height,
         Bottom::BelowFlank(straight) => {
@@ -269,7 +280,7 @@ fn limit(
     let (from, wanted) = kept.name_and_wanted();
     let tool = |column: usize, height: f64| {
         let column = &grid.columns[column];
-        locate(&column.places[row], &column.lead, options, height)
+        locate(&column.places[row], &column.lead, (options.cutter, options.orientation), height)
     };
     // The deeper tool contains the other one: what it keeps falls with the height.
     let beyond = |column: usize, height: f64| {

@@ -6,7 +6,7 @@ use super::milled_side::{Half, MilledSide};
 use super::root_pass::RootSection;
 use super::row_paths::RowEnd;
 use super::{
-    ActiveFlank, CutterLocation, FlankGrid, LeadCurve, LocalContact, MillingError, Orientation, PlanOptions,
+    ActiveFlank, CutterLocation, FlankGrid, LeadCurve, LocalContact, MillingError, PlanOptions,
     plane_through, row_distance,
 };
 use std::sync::Arc;
@@ -35,8 +35,6 @@ pub struct FlankPlan {
     pub active: ActiveFlank,
     /// The guide curve of its space.
     pub lead: Arc<dyn LeadCurve>,
-    /// How the axis is turned.
-    pub orientation: Orientation,
     /// Its rows and columns.
     pub lines: LaidLines,
     /// The cutter at all points of the path's grid.

@@ -7,37 +7,57 @@ mod bad_input;
 mod bevel;
 mod blade;
 mod checks;
+mod compensation;
 mod contact_height;
+mod coolant;
 mod cutter;
 mod density;
+mod end_move;
 mod gear;
+mod grid_gear;
+mod lead;
 mod machine;
 mod mate;
+mod measuring_grid;
 mod milling;
+mod naca;
 mod output;
 mod point_grid;
+mod probe;
 mod root;
 mod roughing;
 mod simulation;
+mod stock;
 mod target;
 #[cfg(test)]
 mod tests;
+mod work_offset;
 
 pub use self::milling::{CutSense, Milling, RowDistances, RowSequence, Spaces, Traversal};
-pub use bevel::{BevelFlank, BevelGear, BevelSpiral};
+pub use bevel::{BevelFlank, BevelGear, BevelSpiral, SpiralLine};
 pub use blade::{Blade, BladePoints, BladeSide, RuledBlade};
+pub use compensation::MillingCompensation;
 pub use contact_height::{ContactHeight, HeightRamp};
+pub use coolant::CutterCoolant;
 pub use cutter::{CutterForm, CutterShank, MillingCutter};
 pub use density::{Density, GridChoice};
+pub use end_move::EndMove;
 pub use gear::{DoubleHelical, MillingGear};
-pub use machine::{MillingMachine, MillingMount, PoleWay, Rtcp};
+pub use grid_gear::{BodyLine, FlankPoints, GridGear};
+pub use lead::Lead;
+pub use machine::{LengthHolder, MillingMachine, MillingMount, PoleWay, Rtcp};
 pub use mate::Mate;
+pub use measuring_grid::MeasuringGrid;
+pub use naca::{FourDigits, NacaBlade, NacaSide};
 pub use output::MillingOutput;
-pub use point_grid::{PointGrid, parse_point_grid, read_point_grid};
+pub use point_grid::{PointGrid, parse_point_grid, read_flank_points, read_point_grid};
+pub use probe::TouchProbe;
 pub use root::{MilledRoot, RootBottom};
 pub use roughing::Roughing;
 pub use simulation::MillingSimulation;
+pub use stock::{MillingStock, StockForm};
 pub use target::{EaseOffAmounts, MillingTarget};
+pub use work_offset::WorkOffset;
 
 use job::{Diagnostic, Loaded, ProcessJob};
 use schemars::{JsonSchema, Schema, json_schema};
@@ -51,8 +71,16 @@ use job::tables::{JobInfo, Language};
 #[serde(deny_unknown_fields)]
 #[schemars(extend(
     "if" = { "required": ["gear"] },
-    "then" = { "not": { "anyOf": [{ "required": ["bevel"] }, { "required": ["blade"] }] } },
-    "else" = { "if": { "required": ["bevel"] }, "then": { "not": { "required": ["blade"] } }, "else": { "required": ["blade"] } }
+    "then" = { "not": { "anyOf": [{ "required": ["bevel"] }, { "required": ["blade"] }, { "required": ["grid_gear"] }] } },
+    "else" = {
+        "if": { "required": ["bevel"] },
+        "then": { "not": { "anyOf": [{ "required": ["blade"] }, { "required": ["grid_gear"] }] } },
+        "else": {
+            "if": { "required": ["blade"] },
+            "then": { "not": { "required": ["grid_gear"] } },
+            "else": { "required": ["grid_gear"] }
+        }
+    }
 ))]
 pub struct MillingJob {
     /// Name and process.
@@ -66,12 +94,24 @@ pub struct MillingJob {
     /// The workpiece, if it has blades.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub blade: Option<Blade>,
-    /// The gear that a bevel gear is rolled against.
+    /// The workpiece, if it is a gear whose flanks are given by points.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub grid_gear: Option<GridGear>,
+    /// The gear that a gear or bevel gear is rolled against.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mate: Option<Mate>,
+    /// The workpiece as it comes to the machine.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stock: Option<MillingStock>,
     /// The wanted flank.
     #[serde(default)]
     pub target: MillingTarget,
+    /// What paths are planned with beside the target, as an answer to a measurement.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub compensation: Option<MillingCompensation>,
+    /// Where a measuring machine touches the flanks of a bevel gear; with it `plan` writes the points.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub measuring_grid: Option<MeasuringGrid>,
     /// The cutter that finishes the flanks.
     pub cutter: MillingCutter,
     /// The cutter of the bottom pass; default `cutter`.
@@ -102,6 +142,8 @@ pub enum MilledBody<'a> {
     Bevel(&'a BevelGear),
     /// Blades.
     Blade(&'a Blade),
+    /// A gear by points.
+    Grid(&'a GridGear),
 }
 
 /// What a cutter does.
@@ -120,7 +162,8 @@ impl MillingJob {
     pub fn body(&self) -> Option<MilledBody<'_>> {
         let gear = self.gear.as_ref().map(MilledBody::Gear);
         let bevel = || self.bevel.as_ref().map(MilledBody::Bevel);
-        gear.or_else(bevel).or_else(|| self.blade.as_ref().map(MilledBody::Blade))
+        let blade = || self.blade.as_ref().map(MilledBody::Blade);
+        gear.or_else(bevel).or_else(blade).or_else(|| self.grid_gear.as_ref().map(MilledBody::Grid))
     }
 
     /// Flanks that are milled: as `milling.flanks` has it, by default both; of a blade the side that its table describes.
@@ -130,6 +173,11 @@ impl MillingJob {
         }
         let flanks = self.milling.flanks.unwrap_or_default();
         [Flank::Left, Flank::Right].into_iter().filter(|flank| flanks.includes(*flank)).collect()
+    }
+
+    /// From the nose of the spindle to the tip of a cutter, mm; `None` without a machine where the cutter does not say it.
+    pub fn tool_length_of(&self, cutter: &MillingCutter) -> Option<f64> {
+        cutter.tool_length.or(self.machine.as_ref().map(|machine| machine.tool_length))
     }
 
     /// The cutter for a purpose and its number in programs: its own, else 1 for `cutter`, 2 for `bottom_cutter`, 3 for

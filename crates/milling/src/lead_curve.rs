@@ -85,6 +85,28 @@ impl LeadCurve for HelixOnCylinder {
     }
 }
 
+/// In conical involute gears: the middle of the space on a cone about the axis, by default the root cone. u = z.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HelixOnCone {
+    /// Radius at z = 0, mm.
+    pub radius: f64,
+    /// Change of the radius along the axis.
+    pub slope: f64,
+    /// k: turn of the middle of the space along the axis, rad/mm.
+    pub turn_per_length: f64,
+}
+
+impl LeadCurve for HelixOnCone {
+    fn at(&self, u: f64) -> Result<LeadPoint, MillingError> {
+        let (sin, cos) = (-self.turn_per_length * u).sin_cos();
+        let (radial, radius) = (Vector3::new(sin, cos, 0.0), self.radius + self.slope * u);
+        let point = radial * radius + Vector3::z() * u;
+        let along = Vector3::new(-self.turn_per_length * point.y, self.turn_per_length * point.x, 1.0)
+            + radial * self.slope;
+        LeadPoint::new(u, point, &along, &(radial - Vector3::z() * self.slope))
+    }
+}
+
 /// In bevel gears: the middle of the space on a cone about the axis with its apex at the origin, by default the root cone. u =
 /// distance from the apex.
 #[derive(Clone, Debug, PartialEq)]
@@ -164,6 +186,22 @@ impl LeadCurve for MirroredLead {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_helix_on_a_cone_stays_on_it_with_its_frame() {
+        let cone = HelixOnCone { radius: 40.0, slope: -0.12, turn_per_length: 0.004 };
+        for u in [-20.0, 0.0, 13.0] {
+            let at = cone.at(u).unwrap();
+            assert!((at.point.xy().norm() - (40.0 - 0.12 * u)).abs() < 1e-12 && at.point.z == u);
+            let by = 1e-5;
+            let along = (cone.at(u + by).unwrap().point - cone.at(u - by).unwrap().point).normalize();
+            assert!((along - at.direction).norm() < 1e-9);
+            assert!(at.base_normal.dot(&at.point) > 0.0 && at.base_normal.dot(&along).abs() < 1e-9);
+        }
+        let flat = HelixOnCone { slope: 0.0, ..cone }.at(7.0).unwrap();
+        let cylinder = HelixOnCylinder { radius: 40.0, turn_per_length: 0.004, external_sign: 1.0 };
+        assert_eq!(flat, cylinder.at(7.0).unwrap());
+    }
 
     #[test]
     fn the_lead_curve_of_the_other_half_is_a_helix_of_the_other_hand() {

@@ -47,13 +47,14 @@ mod size;
 mod space;
 mod spacing;
 mod sweep;
+mod tapered;
 mod touch_fault;
 mod wall;
 mod wear;
 pub mod workflow;
 
 pub use access::check_access;
-pub use approach::approach_arc;
+pub use approach::{LeadArc, approach_arc};
 pub use collision::check_path;
 pub use column::{ColumnPlane, Section};
 pub use density::{DenseGrid, DensityLimits, DistanceLimits, Violated, dense_grid};
@@ -64,7 +65,7 @@ pub use flank::{ActiveFlank, HeightLimits, LimitBody};
 pub use flank_plan::{FlankPlan, RowFigures};
 pub use grid::{Column, FlankGrid, GridPlace, NeighbourDistances};
 pub use lead_curve::{
-    CurveOnCone, FootOnHub, HelixOnCylinder, LeadCurve, LeadPoint, MirroredLead, SkewPlanes,
+    CurveOnCone, FootOnHub, HelixOnCone, HelixOnCylinder, LeadCurve, LeadPoint, MirroredLead, SkewPlanes,
 };
 pub use lead_through::lead_through_row;
 pub use lines::{LaidLines, Lines, SpacingLaw, lay_lines};
@@ -88,6 +89,7 @@ pub use row_paths::RowEnd;
 pub use size::MOST_LINES;
 pub use space::{Land, Space, SpaceFlank};
 pub use spacing::{RowSpacing, row_heights};
+pub use tapered::{RollOnCone, Tapered};
 pub use touch_fault::TouchFault;
 pub use wall::{Wall, WallKind};
 pub use wear::{HeightRule, HeightWindow, RowLoad, WearHistogram};

@@ -85,7 +85,7 @@ fn local_contact(
         cutter.shape(),
         cutter.cutting_length(),
         options.heights.wanted(0, 2).unwrap_or(0.0).max(least_height(cutter.shape())),
-        options.orientation,
+        options.orientation_of(0, 2),
     )?;
     Ok((LocalContact::new(&section.jet, &location, cutter.shape()), location))
 }

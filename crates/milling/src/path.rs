@@ -56,12 +56,14 @@ pub enum Retraction {
     Outside(f64),
     /// Inside one, mm (internal teeth).
     Inside(f64),
-    /// Outside a cone about the axis, apex at the origin, moved outwards: half angle in rad and distance in mm (bevel gears).
+    /// Outside a cone about the axis, moved outwards: half angle in rad and distance in mm (bevel gears).
     OutsideCone {
         /// Half angle of the cone.
         half_angle: f64,
         /// Distance from it.
         distance: f64,
+        /// Position of its apex on the axis, mm; 0 of bevel gears.
+        apex: f64,
     },
 }
 
@@ -119,10 +121,10 @@ pub fn retracted(place: &CutterPlace, out: Retraction) -> Result<CutterPlace, Mi
             let sense = if matches!(out, Retraction::Outside(_)) { 1.0 } else { -1.0 };
             (d.norm_squared(), t.dot(&d), t.norm_squared() - radius * radius, sense)
         }
-        Retraction::OutsideCone { half_angle, distance } => {
+        Retraction::OutsideCone { half_angle, distance, apex } => {
             let (sin, cos) = half_angle.sin_cos();
-            // The cone moved outwards has its apex below the origin.
-            let (tan, apex) = (sin / cos, -distance / sin);
+            // The cone moved outwards has its apex lower.
+            let (tan, apex) = (sin / cos, apex - distance / sin);
             let (t, d, z) = (tip.xy(), axis.xy(), tip.z - apex);
             (
                 d.norm_squared() - tan * tan * axis.z * axis.z,

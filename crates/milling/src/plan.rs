@@ -95,6 +95,7 @@ fn plan_flank(
     let mut finishing = FinishOptions {
         cutter: &options.cutter,
         orientation,
+        tilt_at_tip: options.tilt_at_tip,
         heights: &options.heights,
         bottom: options.bottom.map(|bottom| (bottom, options.safety)),
         kept: across_space
@@ -130,7 +131,7 @@ fn plan_flank(
         let fillet = paths.of_fillet(&locations, options.traverse.of_row(0))?;
         operations.push(Operation { kind: OperationKind::Fillet(side), paths: vec![fillet] });
     }
-    Ok((FlankPlan { side, active, lead, orientation, lines, rows, ends, figures, root }, operations))
+    Ok((FlankPlan { side, active, lead, lines, rows, ends, figures, root }, operations))
 }
 
 /// The pass below the lowest row, column by column.

@@ -6,7 +6,7 @@ use super::milled_side::{Half, MilledSide};
 use super::operation_kind::OperationKind;
 use super::path::{RowOrder, Traverse};
 use super::root_pass::RootDepth;
-use super::{HeightRule, Orientation};
+use super::{HeightRule, LeadArc, Orientation};
 use foundation::geometry::{Cutter, Flank};
 
 /// What a space is milled with and how.
@@ -22,8 +22,10 @@ pub struct PlanOptions {
     pub lines: Lines,
     /// Law of the rows.
     pub spacing: SpacingLaw,
-    /// Tilt and lead angle.
+    /// Tilt and lead angle; the tilt is that of the first row.
     pub orientation: Orientation,
+    /// Tilt of the last row, rad, where rows lean differently.
+    pub tilt_at_tip: Option<f64>,
     /// Contact heights.
     pub heights: HeightRule,
     /// How far the path goes on beyond the face, mm.
@@ -40,8 +42,8 @@ pub struct PlanOptions {
     pub bottom: Option<Bottom>,
     /// Clearing: allowance, greatest depth of a layer and greatest distance of passes, mm.
     pub roughing: Option<[f64; 3]>,
-    /// Radius of the quarter circles on which the cutter comes to rows and leaves them, mm; without it there are none.
-    pub approach_radius: Option<f64>,
+    /// How the cutter comes to rows, and how it leaves them.
+    pub leads: [Option<LeadArc>; 2],
     /// The flanks that are milled.
     pub sides: Vec<Flank>,
 }

@@ -4,8 +4,8 @@
 use super::meeting::{Line, Profile};
 use super::sweep::{Lowest, Sweep};
 use super::{
-    ActiveFlank, ColumnPlane, CutterLocation, FlankGrid, FlankPlan, LeadCurve, MillingError, Orientation,
-    plane_through,
+    ActiveFlank, ColumnPlane, CutterLocation, FinishedRow, FlankGrid, FlankPlan, LeadCurve, MillingError,
+    Orientation, plane_through,
 };
 use foundation::geometry::{Cutter, SurfaceJet};
 use foundation::numerics::{CubicSpline, SplineError, least_value};
@@ -16,7 +16,6 @@ pub struct FlankModel<'a> {
     flank: &'a ActiveFlank,
     lead: &'a dyn LeadCurve,
     cutter: &'a Cutter,
-    orientation: Orientation,
     rows: Vec<RowModel>,
     fillet: Option<Sweep>,
 }
@@ -25,6 +24,7 @@ pub struct FlankModel<'a> {
 #[derive(Clone, Debug)]
 struct RowModel {
     contact_height: f64,
+    orientation: Orientation,
     /// Height and length parameters of the row over the lead parameter.
     heights: CubicSpline,
     lengths: CubicSpline,
@@ -57,7 +57,6 @@ impl<'a> FlankModel<'a> {
         lead: &'a dyn LeadCurve,
         plan: &FlankPlan,
         cutter: &'a Cutter,
-        orientation: Orientation,
     ) -> Result<Self, SplineError> {
         let grid = &plan.lines.path;
         // As far along a row as the next row is away its cutter can do something beside it.
@@ -68,11 +67,11 @@ impl<'a> FlankModel<'a> {
         };
         let rows = plan.rows.iter().enumerate().filter_map(|(row, finished)| {
             let blocks = sweep(&mut finished.locations.iter())?;
-            Some(RowModel::new(grid, row, finished.contact_height, blocks))
+            Some(RowModel::new(grid, row, finished, blocks))
         });
         let rows = rows.collect::<Result<Vec<_>, _>>()?;
         let fillet = sweep(&mut plan.root.iter().map(|(_, at)| at));
-        Ok(Self { flank, lead, cutter, orientation, rows, fillet })
+        Ok(Self { flank, lead, cutter, rows, fillet })
     }
 
     /// What all rows together leave on the normal of the flank's point at these parameters.
@@ -150,7 +149,7 @@ impl<'a> FlankModel<'a> {
             self.cutter.shape(),
             self.cutter.cutting_length(),
             row.contact_height,
-            self.orientation,
+            row.orientation,
         )
     }
 }
@@ -160,13 +159,14 @@ fn not_met(jet: &SurfaceJet) -> MillingError {
 }
 
 impl RowModel {
-    fn new(grid: &FlankGrid, row: usize, contact_height: f64, blocks: Sweep) -> Result<Self, SplineError> {
+    fn new(grid: &FlankGrid, row: usize, finished: &FinishedRow, blocks: Sweep) -> Result<Self, SplineError> {
         let of = |value: fn(&super::GridPlace) -> f64| -> Vec<f64> {
             grid.columns.iter().map(|column| value(&column.places[row])).collect()
         };
         let at: Vec<f64> = grid.columns.iter().map(|column| column.lead.u).collect();
         Ok(Self {
-            contact_height,
+            contact_height: finished.contact_height,
+            orientation: finished.orientation,
             heights: CubicSpline::new(&at, &of(|place| place.height))?,
             lengths: CubicSpline::new(&at, &of(|place| place.length))?,
             blocks,

@@ -52,17 +52,18 @@ impl RowPaths<'_> {
     ) -> Result<MilledRow, MillingError> {
         let (ended, end) = self.ended(row, &finished.locations)?;
         let backwards = self.backwards(row, &finished.locations, wanted);
-        let path = match self.options.approach_radius {
-            Some(radius) => {
-                let arcs = ApproachArcs {
-                    radius,
-                    cutter: &self.options.cutter,
-                    opposite: self.space.opposite(self.flank.side).map(|opposite| opposite.patch(0.0)),
-                    safety: self.options.safety,
-                };
-                arcs.around(ended.path.clone(), self.normals_of_open_ends(row, &ended))?
-            }
-            None => ended.path,
+        let [lead_in, lead_out] = self.options.leads;
+        let leads = if backwards { [lead_out, lead_in] } else { [lead_in, lead_out] };
+        let path = if leads == [None; 2] {
+            ended.path
+        } else {
+            let arcs = ApproachArcs {
+                leads,
+                cutter: &self.options.cutter,
+                opposite: self.space.opposite(self.flank.side).map(|opposite| opposite.patch(0.0)),
+                safety: self.options.safety,
+            };
+            arcs.around(ended.path.clone(), self.normals_of_open_ends(row, &ended))?
         };
         Ok(MilledRow { path: directed(path, backwards), end })
     }

@@ -17,6 +17,8 @@ pub enum RowSpacing<'a> {
 /// Nodes over a column, doubled until the last quarter of the coefficients is below this share of the whole.
 const NODES: [usize; 5] = [9, 17, 33, 65, 129];
 const TAIL: f64 = 1e-12;
+/// Share with which the weight is known at least.
+const ROUGHLY: f64 = 1e-2;
 
 /// Heights of `count` rows (>= 2) from root to tip on one column, and the whole integral of the law's weight: mm for arcs.
 ///
@@ -56,8 +58,9 @@ pub fn row_heights(
             break;
         }
     }
-    // The weight of a scallop has roots in it and settles more slowly; its rows need no more than six digits.
-    let series = series.filter(|_| worst < 1e-6).ok_or_else(|| not_smooth(worst))?;
+    // The weight of a scallop has roots in it and settles more slowly, and at the edge of a relief it leaps; its integral, by which the rows stand,
+    // is known a hundred times as well.
+    let series = series.filter(|_| worst < ROUGHLY).ok_or_else(|| not_smooth(worst))?;
     let integral = series.integral();
     let whole = integral.value(1.0);
     let mut heights = Vec::with_capacity(count);

@@ -8,8 +8,8 @@ use milling::job::{LoadedMillingJob, MillingJob};
 use milling::workflow::{MillingBodies, prepare_milling, run_milling};
 use milling::{
     ActiveFlank, ColumnPlane, CutterLocation, CutterPlace, DensityLimits, DistanceLimits, HeightRule,
-    HeightWindow, LeadPoint, MillingError, Orientation, RootDepth, RootSection, RowSpacing, approach_arc,
-    dense_grid, lead_range,
+    HeightWindow, LeadArc, LeadPoint, MillingError, Orientation, RootDepth, RootSection, RowSpacing,
+    approach_arc, dense_grid, lead_range,
 };
 use nalgebra::Vector3;
 use run::RunFailure;
@@ -376,11 +376,12 @@ fn bottom_cutter_too_wide() -> Case {
 
 fn arc_wider_than_the_gap() -> Case {
     let place = CutterPlace { tip: Vector3::zeros(), axis: Vector3::y(), contact: None };
-    let arc =
-        |radius: f64, clearance: f64| approach_arc(&place, &Vector3::z(), &Vector3::x(), radius, clearance);
+    let arc = |radius: f64, clearance: f64| {
+        approach_arc(&place, &Vector3::z(), &Vector3::x(), &LeadArc::quarter(radius), clearance)
+    };
     assert!(arc(0.5, 1.25).is_ok());
     assert_eq!(arc(f64::NAN, 1.25).unwrap_err().code(), "approach");
-    Case { told: of_room(arc(2.5, 1.25)), code: "approach", exit: None, says: &["2.5 mm", "1.2500 mm"] }
+    Case { told: of_room(arc(2.5, 1.25)), code: "approach", exit: None, says: &["2.5000 mm", "1.2500 mm"] }
 }
 
 fn row_without_a_height() -> Case {

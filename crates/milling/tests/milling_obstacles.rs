@@ -23,7 +23,9 @@ fn text(example: &str, changes: &[(&str, &str)]) -> String {
 }
 
 fn loaded(text: &str) -> LoadedMillingJob {
-    match parse_job_of::<MillingJob>(Source::new("job.toml", text)) {
+    // Points of flanks are looked for beside the job.
+    let name = format!("{}/../../examples/milling/job.toml", env!("CARGO_MANIFEST_DIR"));
+    match parse_job_of::<MillingJob>(Source::new(&*name, text)) {
         Ok(loaded) => loaded,
         Err(error) => panic!("{error}\n{text}"),
     }
@@ -42,7 +44,10 @@ fn depth_in_base(job: &MillingJob, point: &Vector3<f64>) -> Option<f64> {
         MilledBody::Gear(gear) => {
             let drawing = &gear.drawing;
             let outwards = if drawing.teeth < 0 { -1.0 } else { 1.0 };
-            (z.abs() <= 0.5 * drawing.face_width).then_some(outwards * (0.5 * drawing.root_diameter - radius))
+            // The root of a conical gear narrows towards +z.
+            let (sin, cos) = drawing.cone_angle_deg.to_radians().sin_cos();
+            let across = (0.5 * drawing.root_diameter - radius) * cos - z * sin;
+            (z.abs() <= 0.5 * drawing.face_width).then_some(outwards * across)
         }
         MilledBody::Bevel(bevel) => {
             let outer = bevel.outer_cone_distance();
@@ -52,8 +57,20 @@ fn depth_in_base(job: &MillingJob, point: &Vector3<f64>) -> Option<f64> {
                 (radius * root.sin() + z * root.cos(), z * root.sin() - radius * root.cos());
             (outer - bevel.face_width..=outer).contains(&along).then_some(across)
         }
+        MilledBody::Grid(gear) => {
+            let [from, to] = gear.root.ends();
+            let (radial, axial) = (to[0] - from[0], to[1] - from[1]);
+            let length = radial.hypot(axial);
+            let along = ((radius - from[0]) * radial + (z - from[1]) * axial) / (length * length);
+            let across = ((z - from[1]) * radial - (radius - from[0]) * axial) / length;
+            (0.0..=1.0).contains(&along).then_some(axial.signum() * across)
+        }
         MilledBody::Blade(blade) => {
-            let length = blade.ruled.unwrap().length;
+            let length = match (&blade.ruled, &blade.naca) {
+                (Some(ruled), _) => ruled.length,
+                (None, Some(naca)) => naca.chord[0] * naca.stagger_deg[0].to_radians().cos(),
+                (None, None) => panic!("{blade:?}"),
+            };
             let [from, to] = blade.hub_radius;
             let share = z / length;
             let slant = ((to - from) / length).atan().cos();
@@ -130,7 +147,10 @@ fn examples_stay_clear_of_root_and_hub() {
     let examples = format!("{}/../../examples/milling", env!("CARGO_MANIFEST_DIR"));
     let mut names: Vec<String> = std::fs::read_dir(examples)
         .unwrap()
-        .map(|entry| entry.unwrap().path().file_stem().unwrap().to_str().unwrap().to_owned())
+        .map(|entry| entry.unwrap().path())
+        // Beside the jobs lie files of points that they read.
+        .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
+        .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
         .collect();
     names.sort();
     assert!(names.len() >= 14);
@@ -348,7 +368,7 @@ fn the_flank_reaches_as_far_as_the_mate_needs_it() {
     // By default the flank would begin 12 % of the way up, far above it.
     assert!(needed < 32.0_f64.to_radians());
     assert!(start.covered && !told(&result));
-    assert!(start.active_deg <= start.needed_deg.unwrap() + 1e-7);
+    assert!(start.active_deg.unwrap() <= start.needed_deg.unwrap() + 1e-7);
     let short = outcome(&[("face_width = 20.0", "face_width = 20.0\nstart_polar_angle_deg = 32.2")]);
     assert!(!short.mate.as_ref().unwrap().start_of_flank.covered && told(&short));
 }

@@ -9,7 +9,8 @@ use foundation::numerics::Silent;
 use job::machine::{LoadedMachine, read_machine};
 use job::tables::Program as DialectName;
 use machine::Station;
-use milling::job::{MillingMount, Rtcp};
+use milling::job::{CutterCoolant, EndMove, MillingMount, Rtcp};
+use milling::workflow::prepare::ToolData;
 use milling::workflow::programs::{
     AtPole, MillingMachining, MillingPrograms, MillingWork, StepKind, ToolWork,
 };
@@ -84,6 +85,7 @@ fn options(shape: CutterShape, [rows, columns]: [usize; 2], height: f64, rough: 
         lines: Lines::Counted { rows, columns },
         spacing: SpacingLaw::Arc,
         orientation: Orientation::default(),
+        tilt_at_tip: None,
         heights: HeightRule::Fixed(height),
         overrun: 3.5,
         safety: 0.2,
@@ -92,7 +94,7 @@ fn options(shape: CutterShape, [rows, columns]: [usize; 2], height: f64, rough: 
         root: Some((RootDepth::Bottom(0.0), true)),
         bottom: Some(Bottom::Level(0.0)),
         roughing: None,
-        approach_radius: None,
+        leads: [None; 2],
         sides: vec![Flank::Left, Flank::Right],
     }
 }
@@ -163,8 +165,8 @@ fn bevel() -> Case {
             walls: vec![],
         },
         options: options(CutterShape::end_mill(1.2, 0.5), [5, 7], 3.0, CutterShape::end_mill(0.6, 0.5)),
-        retraction: Retraction::OutsideCone { half_angle, distance },
-        mount: MillingMount { turned_over: true, height: 90.0, offset: [0.0, 0.0] },
+        retraction: Retraction::OutsideCone { half_angle, distance, apex: 0.0 },
+        mount: MillingMount { turned_over: true, height: 90.0, ..MillingMount::default() },
         tops: (0..=40).map(ray).collect(),
         clear: distance,
     }
@@ -181,10 +183,7 @@ impl Case {
         let tool = |operation: milling::Operation| ToolWork {
             kind: operation.kind,
             cutter: self.options.cutter_of(operation.kind).clone(),
-            number: if operation.kind == OperationKind::Bottom { 2 } else { 1 },
-            spindle_rpm: 8000.0,
-            feed: 1200.0,
-            plunge_feed: 400.0,
+            tool: tool_data(if operation.kind == OperationKind::Bottom { 2 } else { 1 }),
             paths: operation.paths,
         };
         MillingWork {
@@ -228,15 +227,42 @@ fn planned_lengths(work: &MillingWork<'_>, rays: &[NormalRay]) -> Vec<Option<f64
     milled.rays.iter().map(|ray| ray.ok().map(|ray| ray.length)).collect()
 }
 
+/// A tool of 100 mm.
+fn tool_data(number: u32) -> ToolData {
+    ToolData {
+        number,
+        length_offset: None,
+        edges: None,
+        length: 100.0,
+        spindle_rpm: 8000.0,
+        feed: 1200.0,
+        plunge_feed: 400.0,
+        coolant: CutterCoolant::Off,
+    }
+}
+
 fn machining<'a>(machine: &'a LoadedMachine, case: &Case, rtcp: Rtcp) -> MillingMachining<'a> {
+    mounted(machine, case.mount, rtcp, AtPole::default())
+}
+
+fn mounted(
+    machine: &LoadedMachine,
+    mount: MillingMount,
+    rtcp: Rtcp,
+    at_pole: AtPole,
+) -> MillingMachining<'_> {
     MillingMachining {
         machine,
-        mount: case.mount,
-        tool_length: 100.0,
+        mount,
+        held_clocking: None,
+        work_offset: None,
+        holds_lengths: false,
+        spindle_dwell: 0.0,
+        end_position: &[],
         rtcp,
         tip_control: TipControl::Directions,
         position_tolerance: 0.5e-3,
-        at_pole: AtPole::default(),
+        at_pole,
         dialects: &ALL,
     }
 }
@@ -363,6 +389,55 @@ fn a_screw_row_is_one_block_without_tip_control() {
     assert!(fanuc.written.text.contains("G43.4"));
 }
 
+#[test]
+fn programs_end_where_the_job_wants_the_axes() {
+    let case = spur();
+    let work = case.work(2);
+    let ac = machine("five-axis-ac-table");
+    let to = |axis: &str, position| EndMove { axis: axis.into(), position };
+    let end = [to("Z", 390.0), to("A", -5.0), to("C", 90.0)];
+    for rtcp in [Rtcp::On, Rtcp::Off, Rtcp::Rows] {
+        let plain = machining(&ac, &case, rtcp).build(&work).unwrap();
+        let made =
+            MillingMachining { end_position: &end, ..machining(&ac, &case, rtcp) }.build(&work).unwrap();
+        for (program, plain) in made.programs.iter().zip(&plain.programs) {
+            // What the text says, read back: one axis after the other, all before them as without an end position.
+            let moves: Vec<_> = program.moves().iter().map(|made| made.at).collect();
+            let (before, after) = moves.split_at(moves.len() - end.len());
+            let mut last =
+                before.last().unwrap().unwrap_or(plain.motion.tools.last().unwrap().steps.last().unwrap().at);
+            for (wanted, at) in end.iter().zip(after) {
+                let at = at.unwrap();
+                let axis = ac.machine.axis_named(&wanted.axis).unwrap();
+                let shown = ac.machine.axes()[axis].joint.shown(at[axis]);
+                let turns = (shown - wanted.position) / 360.0;
+                let turn = if wanted.axis == "C" { turns.round() } else { 0.0 };
+                assert!((shown - wanted.position - 360.0 * turn).abs() < 1e-4, "{}: {shown}", wanted.axis);
+                assert!(wanted.axis != "C" || (at[axis] - last[axis]).abs() <= 0.5 * TAU + 1e-9);
+                for other in (0..ac.machine.axes().len()).filter(|other| *other != axis) {
+                    assert!((at[other] - last[other]).abs() < 1e-4, "{} moves beside {}", other, wanted.axis);
+                }
+                last = at;
+            }
+            assert!(program.motion.cycle_time > plain.motion.cycle_time + 0.1);
+            assert_eq!(program.first_space().len(), plain.first_space().len());
+            assert_eq!(program.rounding, plain.rounding);
+        }
+    }
+    let refused = |moves: &[EndMove]| {
+        let made = MillingMachining { end_position: moves, ..machining(&ac, &case, Rtcp::On) }.build(&work);
+        let Err(RunFailure::BadInput(finding)) = made else { panic!("{moves:?} is taken") };
+        assert!(finding.value.is_some() && finding.allowed.is_some() && finding.way_out.is_some());
+        (finding.code, finding.field.unwrap(), finding.allowed.unwrap())
+    };
+    let (code, field, allowed) = refused(&[to("Z", 0.0), to("W", 0.0)]);
+    assert_eq!((code, &*field), ("unknown-value", "machine.end_position[1].axis"));
+    assert!(allowed.contains('Z') && allowed.contains('C'), "{allowed}");
+    let (code, field, allowed) = refused(&[to("A", 31.0)]);
+    assert_eq!((code, &*field), ("axis-limit", "machine.end_position[0].position"));
+    assert_eq!(&*allowed, "-120 to 30 deg");
+}
+
 /// The table of a machine can only turn so far: the cutter goes out where it ends, and comes back after the table has turned back.
 #[test]
 fn a_table_with_an_end_is_turned_back_outside() {
@@ -403,15 +478,12 @@ fn near_the_pole(shape: CutterShape) -> MillingWork<'static> {
         tools: vec![ToolWork {
             kind: OperationKind::Flank(MilledSide { flank: Flank::Left, half: None }),
             cutter,
-            number: 1,
-            spindle_rpm: 8000.0,
-            feed: 1200.0,
-            plunge_feed: 400.0,
+            tool: tool_data(1),
             paths: vec![milling::CutterPath { places: (0..=12).map(place).collect() }],
         }],
         spaces: 2,
         pitch: TAU / 40.0,
-        retraction: Retraction::OutsideCone { half_angle: 80f64.to_radians(), distance: 15.0 },
+        retraction: Retraction::OutsideCone { half_angle: 80f64.to_radians(), distance: 15.0, apex: 0.0 },
     }
 }
 
@@ -430,16 +502,7 @@ fn each_way_past_the_pole_has_its_effect() {
     let machine = machine("five-axis-ac-table");
     let mount = MillingMount { turned_over: true, height: 40.0, ..MillingMount::default() };
     let built = |at_pole: AtPole, rtcp: Rtcp| {
-        let machining = MillingMachining {
-            machine: &machine,
-            mount,
-            tool_length: 100.0,
-            rtcp,
-            tip_control: TipControl::Directions,
-            position_tolerance: 0.5e-3,
-            at_pole,
-            dialects: &ALL,
-        };
+        let machining = mounted(&machine, mount, rtcp, at_pole);
         machining.build(&work).unwrap_or_else(|failure| panic!("{at_pole:?}: {failure:?}"))
     };
     let rays = rays_near_the_pole();
@@ -478,16 +541,7 @@ fn each_way_past_the_pole_has_its_effect() {
     }
     // An end mill would cut otherwise while its axis is held.
     let sharp = near_the_pole(CutterShape::end_mill(3.0, 1.0));
-    let machining = MillingMachining {
-        machine: &machine,
-        mount,
-        tool_length: 100.0,
-        rtcp: Rtcp::On,
-        tip_control: TipControl::Directions,
-        position_tolerance: 0.5e-3,
-        at_pole: AtPole::Hold { cap },
-        dialects: &ALL,
-    };
+    let machining = mounted(&machine, mount, Rtcp::On, AtPole::Hold { cap });
     let Err(RunFailure::BadInput(finding)) = machining.build(&sharp) else { panic!("an end mill is held") };
     assert_eq!((finding.code, finding.field.as_deref()), ("hold-needs-ball", Some("machine.pole")));
 }
@@ -519,7 +573,7 @@ fn what_a_machine_cannot_do_names_a_key_of_the_job() {
     assert_eq!(field(&found), "output.programs");
 
     let mut still = work.clone();
-    still.tools[0].feed = 0.0;
+    still.tools[0].tool.feed = 0.0;
     assert_eq!(field(&finding(&machining(&ac, &case, Rtcp::On), &still)), "milling.feed_mm_per_min");
 
     // No way along the axis leads out of a cylinder without end.

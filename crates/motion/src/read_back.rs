@@ -225,7 +225,18 @@ impl Walk<'_> {
                     "tool centre point control, which moves the axes in ways that no block says".into();
                 return Err(MotionError::NotFollowed { block: number, reason });
             }
-            Block::Comment(_) | Block::Stop | Block::End | Block::Tool { .. } | Block::Output { .. } => {}
+            Block::Comment(_)
+            | Block::Stop
+            | Block::End
+            | Block::Tool { .. }
+            | Block::Output { .. }
+            | Block::Coolant(_) => {}
+            Block::LengthOffset(_) | Block::WorkOffset(_) | Block::Probe(_) | Block::ShiftOffset(_) => {
+                let reason =
+                    "a length, a work offset or a probed place, whose values the program does not hold"
+                        .into();
+                return Err(MotionError::NotFollowed { block: number, reason });
+            }
         }
         Ok(())
     }

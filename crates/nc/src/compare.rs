@@ -12,6 +12,8 @@ use super::{
 const DURATION: f64 = 1e-6;
 /// Difference of dwells and of spindle speeds: half of their sixth decimal.
 const PLAIN: f64 = 0.5e-6;
+/// Difference of speeds of probing, mm/min or deg/min: half of the third decimal.
+const PROBING: f64 = 0.5e-3;
 /// Difference of polynomials, mm or deg.
 const POLYNOMIAL: f64 = 1e-9;
 /// Relative difference of ratios: two numbers of 15 digits.
@@ -248,6 +250,41 @@ impl Comparison<'_> {
                 if offset != found_offset && !unused {
                     return Err(self.mismatch("length offset of the tool", f64::NAN));
                 }
+            }
+            (Block::Coolant(a), Block::Coolant(b)) => {
+                if a != b {
+                    return Err(self.mismatch("coolant", f64::NAN));
+                }
+            }
+            (Block::Probe(a), Block::Probe(b)) => {
+                if (a.axis, a.slot) != (b.axis, b.slot) {
+                    return Err(self.mismatch("probing", f64::NAN));
+                }
+                self.rounded(a.axis, a.to, b.to)?;
+                let [wanted, found] = [a.speed, b.speed].map(|speed| 60.0 * self.scale(a.axis) * speed);
+                self.number("speed of probing", wanted, found, PROBING + CONVERSION * wanted.abs())?;
+                for side in [a_side, b_side] {
+                    side.places = Targets::NONE;
+                }
+            }
+            (Block::ShiftOffset(a), Block::ShiftOffset(b)) => {
+                if (a.number, a.axis, a.slots) != (b.number, b.axis, b.slots) {
+                    return Err(self.mismatch("measured work offset", f64::NAN));
+                }
+                self.rounded(a.axis, a.middle, b.middle)?;
+                (a_side.places, b_side.places) = (Targets::NONE, Targets::NONE);
+            }
+            (Block::WorkOffset(a), Block::WorkOffset(b)) => {
+                if a != b {
+                    return Err(self.mismatch("work offset", f64::from(*b) - f64::from(*a)));
+                }
+                (a_side.places, b_side.places) = (Targets::NONE, Targets::NONE);
+            }
+            (Block::LengthOffset(a), Block::LengthOffset(b)) => {
+                if a != b {
+                    return Err(self.mismatch("length offset of the tool", f64::NAN));
+                }
+                (a_side.places, b_side.places) = (Targets::NONE, Targets::NONE);
             }
             (Block::TipControlOn(a), Block::TipControlOn(b)) if a == b => {}
             (Block::TipControlOff, Block::TipControlOff) => {

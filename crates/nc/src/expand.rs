@@ -16,8 +16,15 @@ pub fn split_turns(program: &Program) -> Result<Program, NcError> {
             Block::Rapid(target) => (target, None),
             Block::Linear { target, duration } => (target, Some(*duration)),
             other => {
-                if matches!(other, Block::TipControlOff) {
-                    // The control has moved the axes on its own.
+                if matches!(
+                    other,
+                    Block::TipControlOff
+                        | Block::LengthOffset(_)
+                        | Block::WorkOffset(_)
+                        | Block::Probe(_)
+                        | Block::ShiftOffset(_)
+                ) {
+                    // The control has moved the axes on its own, or counts anew.
                     places = Targets::NONE;
                 }
                 blocks.push(other.clone());

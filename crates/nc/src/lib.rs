@@ -18,9 +18,10 @@ pub use dialect::Dialect;
 pub use error::NcError;
 pub use expand::split_turns;
 pub use program::{
-    Angles, AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Gear,
-    GearLeader, GearSynchronisation, Header, MAXIMUM_ANGLES, MAXIMUM_AXES, Orientation, Pace, Program,
-    Repetition, TablePiece, Targets, TipControl, TipMotion, ToothData, Word,
+    Angles, AxisMotion, AxisWord, BSplineMotion, Block, Coolant, Coupling, CubicMotion, CubicSpan,
+    CurveTable, Gear, GearLeader, GearSynchronisation, Header, MAXIMUM_ANGLES, MAXIMUM_AXES, OffsetShift,
+    Orientation, Pace, ProbeMove, Program, Repetition, TablePiece, Targets, TipControl, TipMotion, ToothData,
+    WORK_OFFSETS, Word,
 };
 pub use reader::{
     ClProgram, MAXIMUM_BYTES, ReadError, ReadProblem, ReadProgram, detect_dialect, read, read_cl,

@@ -7,4 +7,5 @@ mod outputs;
 mod peer;
 mod programs;
 mod round_trip;
+mod shop;
 mod tips;

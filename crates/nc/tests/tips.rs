@@ -78,10 +78,9 @@ const AXIS_LINES: &str = "N10 G94 G0 X-27.7686 Y-28.7287 Z23.4326 C26.32532 A80.
 #[test]
 fn the_reference_lines_come_out_character_for_character() {
     let text = write_checked(&row_of_tips(), Dialect::Siemens, &milling()).unwrap().written.text;
-    let head =
-        "; ROW\nG710 G90 G17 G40 G500 G64\nG93\nT5 D5 M6\nS1=3000.000000 M1=3\nTRAORI\nORIWKS\nG94 F1200.0\n";
+    let head = "; ROW\nG710 G90 G17 G40 G500 G64\nG93\nT5 D0 M6\nS1=3000.000000 M1=3\nD5\nTRAORI\nORIWKS\nG94 F1200.0\n";
     assert!(text.starts_with(&[head, TRAORI_LINES].concat()), "{text}");
-    assert!(text.ends_with("F1189.9\nTRAFOOF\nG94\nM1=5\nM30\n"), "{text}");
+    assert!(text.ends_with("F1189.9\nTRAFOOF\nD0\nG94\nM1=5\nM30\n"), "{text}");
     for dialect in Dialect::ALL {
         let text = write_checked(&row_of_axes(), dialect, &milling()).unwrap().written.text;
         assert!(text.contains(AXIS_LINES), "{text}");
@@ -296,7 +295,7 @@ fn what_a_control_would_not_take_the_reader_refuses() {
     for (dialect, text, problem) in [
         (s, "T1\n", Missing),
         (s, "M6\n", Missing),
-        (s, "T1 D0 M6\n", OutOfRange),
+        (s, "T1 D1000 M6\n", OutOfRange),
         (s, "ORIWKS\n", Missing),
         (f, "G43.5 H1\n", Missing),
         (f, "T1 M6\nG43.5\n", Missing),
@@ -324,6 +323,7 @@ fn a_program_of_a_user_under_tip_control_is_read() {
     let start = Targets::NONE.with(X, 0.0).with(C, 0.0);
     let expected = [
         Block::Tool { number: 3, length_offset: Some(1) },
+        Block::LengthOffset(Some(1)),
         Block::Rapid(start),
         Block::TipControlOn(TipControl::Directions),
         tip([1.0, 2.0, 3.0], Orientation::Direction([0.6, 0.0, 0.8]), Pace::Speed(10.0)),

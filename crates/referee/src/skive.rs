@@ -16,6 +16,8 @@ pub struct Skiving<'a> {
     pub flank: &'a InvoluteFlank,
     /// The motion that is really driven.
     pub motion: &'a SkivingMotion,
+    /// What goes on beside it with the angle of the tool: added to the centre distance, mm, and to the angle of the workpiece, rad.
+    pub law: Option<&'a (dyn Fn(f64) -> [f64; 2] + Sync)>,
     /// Centre of the rounding in tool coordinates and its radius over a place of the edge.
     pub edge: &'a (dyn Fn(f64) -> (Vector3<f64>, f64) + Sync),
     /// From where to where the edge reaches.
@@ -142,7 +144,12 @@ impl Skiving<'_> {
     }
 
     fn in_workpiece(&self, point: &Vector3<f64>, tool_angle: f64) -> Vector3<f64> {
-        let state: GeneratingState = self.motion.state(tool_angle, 0.0);
+        let mut state: GeneratingState = self.motion.state(tool_angle, 0.0);
+        if let Some(law) = self.law {
+            let [distance, turn] = law(tool_angle);
+            state.delta_d += distance;
+            state.work_angle += turn;
+        }
         let pose = self.motion.chain().pose(&state).inverse();
         pose.point(&Point::from_vector(*point)).xyz
     }

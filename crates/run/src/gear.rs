@@ -6,7 +6,7 @@ use foundation::modification::{
     EvaluationField, GridTable, Modification, ModificationFiles, ModificationSpec,
 };
 use job::tables::Gear as JobGear;
-use job::{Diagnostic, Loaded, read_grid_target, read_points, read_traces};
+use job::{Diagnostic, Loaded, read_grid_target, read_points, read_profile, read_traces};
 
 /// Grid and point files named in a job, beside the job file.
 struct Beside<'a, J>(&'a Loaded<J>);
@@ -24,6 +24,10 @@ impl<J> ModificationFiles for Beside<'_, J> {
 
     fn points(&self, file: &str) -> Result<Vec<[f64; 3]>, String> {
         read_points(&self.0.beside(file)).map_err(|e| e.to_string())
+    }
+
+    fn profile(&self, file: &str) -> Result<Vec<[f64; 2]>, String> {
+        read_profile(&self.0.beside(file)).map_err(|e| e.to_string())
     }
 }
 

@@ -35,3 +35,27 @@ pub fn conjugate(motion: &SkivingMotion, place: &ProfilePlace, turn: f64) -> Con
         tool_angle: motion.tool_angle_at(turn - motion.twist * (height - place.point.z)),
     }
 }
+
+/// The turns (chi, rad) of a profile at which it is conjugate to a tool on a parallel axis, whatever its height: its normal passes through
+/// the point where both roll on each other. None where it does not reach that point.
+pub fn parallel_turns(motion: &SkivingMotion, place: &ProfilePlace) -> Option<[f64; 2]> {
+    let (at, normal) = (&place.point, &place.normal);
+    let lever = normal.y * at.x - normal.x * at.y;
+    let cosine = lever * (1.0 - motion.ratio) / (motion.centre_distance * normal.xy().norm());
+    let middle = -normal.y.atan2(normal.x);
+    // Written so that NaN has no turn.
+    (cosine.abs() <= 1.0).then(|| [middle + cosine.acos(), middle - cosine.acos()])
+}
+
+/// The same point on a parallel axis: the turn follows from the rolling, the height is free, because tool and workpiece slide along their
+/// helices in one another.
+pub fn parallel_conjugate(motion: &SkivingMotion, place: &ProfilePlace, turn: f64, height: f64) -> Conjugate {
+    let (sin, cos) = turn.sin_cos();
+    let turned = |v: &Vector3<f64>| Vector3::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y, v.z);
+    let at = turned(&place.point);
+    Conjugate {
+        point: Vector3::new(at.x, at.y, height),
+        normal: turned(&place.normal),
+        tool_angle: motion.tool_angle_at(turn - motion.twist * (height - place.point.z)),
+    }
+}

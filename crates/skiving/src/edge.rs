@@ -3,10 +3,11 @@
 
 use super::pieces::pieces;
 use super::{
-    Conjugate, ContactPlace, EdgeSection, ProfilePlace, SkivedFlank, SkivingError, SkivingPair, conjugate,
+    Conjugate, ContactPlace, EdgeSection, Kinematics, ProfilePlace, SkivedFlank, SkivingError, SkivingPair,
+    conjugate, parallel_conjugate, parallel_turns,
 };
 use foundation::geometry::Flank;
-use foundation::numerics::{Chebyshev, brent};
+use foundation::numerics::{Chebyshev, brent, wrapped_angle};
 use nalgebra::Vector3;
 
 /// Turns to both sides of the flank's rest position that are looked through, rad, and their number
@@ -25,6 +26,9 @@ const IDENTITY: f64 = 1e-8;
 /// Way of the continuation from node to node, rad: first reach, and the largest before everything is looked through again.
 const NEAR: f64 = 2e-3;
 const FAR: f64 = 0.1;
+/// First and last reach of the search for the height at which a shaping cutter's rake face stands, from its datum face, mm.
+const FIRST_HEIGHT: f64 = 0.5;
+const LAST_HEIGHT: f64 = 64.0;
 /// Cutting speed along the rake normal below which the direction is ambiguous, mm/rad.
 const SLOW: f64 = 1e-6;
 /// The smallest lever that measures, mm/rad.
@@ -163,8 +167,13 @@ impl VirtualEdge {
         self.section_at(at(0), at(1), &normal.normalize())
     }
 
-    /// Speed of cutting along the rake normal at a contact, mm per radian of the tool.
+    /// Speed of cutting along the rake normal at a contact, mm per radian of the tool; of a shaping cutter per mm of its stroke along +z.
     pub fn cutting_speed(&self, place: &ContactPlace) -> f64 {
+        if self.pair.kinematics() == Kinematics::Shaping {
+            let twist = self.pair.tool().twist();
+            let stroke = Vector3::new(-twist * place.centre.y, twist * place.centre.x, 1.0);
+            return stroke.dot(&self.pair.tool().rake().normal(&place.centre));
+        }
         let velocity = self.pair.motion().velocity(&place.engagement);
         let in_tool = self.pair.motion().direction_to_tool(place.tool_angle, &velocity);
         in_tool.dot(&self.pair.tool().rake().normal(&place.centre))
@@ -263,15 +272,18 @@ fn contact_place(
         pair.motion().to_tool(found.tool_angle, &q)
     };
     let depth = pair.tool().rounding().depth();
-    let off = |turn: f64| {
-        let found = conjugate(pair.motion(), &place, turn);
-        pair.tool().rake().distance(&centre_of(&found)) + depth
+    let off = |found: &Conjugate| pair.tool().rake().distance(&centre_of(found)) + depth;
+    let (turn, found) = match pair.kinematics() {
+        Kinematics::Skiving => {
+            let off = |turn: f64| off(&conjugate(pair.motion(), &place, turn));
+            let turn = near
+                .and_then(|turn| near_root(turn, &off))
+                .or_else(|| root_of_all(pair, &place, &off))
+                .ok_or(SkivingError::NoContact { w })?;
+            (turn, conjugate(pair.motion(), &place, turn))
+        }
+        Kinematics::Shaping => shaped(pair, &place, near, &off).ok_or(SkivingError::NoContact { w })?,
     };
-    let turn = near
-        .and_then(|turn| near_root(turn, &off))
-        .or_else(|| root_of_all(pair, &place, &off))
-        .ok_or(SkivingError::NoContact { w })?;
-    let found = conjugate(pair.motion(), &place, turn);
     let motion = pair.motion();
     let to_tool = |v: &Vector3<f64>| motion.direction_to_tool(found.tool_angle, v);
     let point = motion.to_tool(found.tool_angle, &found.point);
@@ -290,6 +302,38 @@ fn contact_place(
         centre: centre_of(&found),
         lever: point.x * normal.y - point.y * normal.x,
     })
+}
+
+/// The contact of a shaping cutter: the turn by the rolling, the height by the rake face.
+fn shaped(
+    pair: &SkivingPair,
+    place: &ProfilePlace,
+    near: Option<f64>,
+    off: &impl Fn(&Conjugate) -> f64,
+) -> Option<(f64, Conjugate)> {
+    let motion = pair.motion();
+    let turns = parallel_turns(motion, place)?.map(|turn| {
+        // In the turn of the rest position.
+        let rest = rest_turn(pair, place);
+        rest + wrapped_angle(turn - rest)
+    });
+    let away = |turn: &f64| match near {
+        Some(near) => (turn - near).abs(),
+        None => (motion.tool_angle_at(*turn) - motion.tool_angle).abs(),
+    };
+    let turn = turns.into_iter().min_by(|a, b| away(a).total_cmp(&away(b)))?;
+    let at = |height: f64| parallel_conjugate(motion, place, turn, height);
+    let off = |height: f64| off(&at(height));
+    let mut reach = FIRST_HEIGHT;
+    while reach <= LAST_HEIGHT {
+        let ends = [motion.tool_shift - reach, motion.tool_shift + reach];
+        let values = ends.map(off);
+        if values[0] * values[1] <= 0.0 {
+            return Some((turn, at(root_between(ends, values, &off)?)));
+        }
+        reach *= 2.0;
+    }
+    None
 }
 
 /// A root in the neighbourhood of a turn, in which nothing else changes its sign.

@@ -34,10 +34,26 @@ pub enum SkivingError {
     /// Tool and workpiece would not skive.
     #[error("the axes are parallel (crossed-axes angle {:.6} deg)", angle.to_degrees())]
     #[finding(code = "axes-parallel", bad_input)]
-    #[way_out("choose another helix angle of the tool, or give the crossed-axes angle")]
+    #[way_out(
+        "choose another helix angle of the tool, give the crossed-axes angle, or say that it is a shaping cutter: kinematics = \"shaping\""
+    )]
     AxesParallel {
         /// Crossed-axes angle, rad.
         angle: f64,
+    },
+    /// A shaping cutter whose axis would not be parallel to the workpiece's.
+    #[error(
+        "a shaping cutter with helix angle {:.6} deg stands at a crossed-axes angle of {:.6} deg to the workpiece", tool.to_degrees(), angle.to_degrees()
+    )]
+    #[finding(code = "axes-crossed", bad_input)]
+    #[way_out(with = format!("give the cutter the helix angle {:.6} deg, or let it skive", needed.to_degrees()))]
+    AxesCrossed {
+        /// Crossed-axes angle, rad.
+        angle: f64,
+        /// Helix angle of the cutter, rad.
+        tool: f64,
+        /// The one that it needs, rad.
+        needed: f64,
     },
     /// The sign of the centre distance does not suit the kind of gear.
     #[error("centre distance {value} mm is not usable for {} gear", if *internal { "an internal" } else { "an external" })]

@@ -10,6 +10,7 @@ mod light_barrier;
 mod machine;
 mod measuring;
 mod output;
+mod runout;
 mod skiving;
 mod skiving_tool;
 mod stylus;
@@ -17,19 +18,22 @@ mod target;
 #[cfg(test)]
 mod tests;
 mod tool_errors;
+mod workpiece_probe;
 
-pub use self::skiving::SkivingSetting;
+pub use self::skiving::{SkivingSetting, ToolKinematics};
 pub use calibration::{CalibrationMove, MandrelCalibration, MandrelSwitch};
 pub use evaluation::{MachineSetting, SettingBounds, ToolEvaluation};
 pub use history::ToolHistory;
 pub use light_barrier::LightBarrier;
-pub use machine::SkivingMachine;
+pub use machine::{BarrierCarrier, SkivingMachine};
 pub use measuring::{MeasuringPoses, Senses, ToolMeasuring, Travel};
 pub use output::SkivingOutput;
+pub use runout::{RunoutCorrection, RunoutLaw, SkivingStroke};
 pub use skiving_tool::{Rake, RakeChamfer, RakeForm, SkivingToolEntry};
 pub use stylus::{ScanMotion, Stylus};
 pub use target::SkivingTarget;
 pub use tool_errors::{EdgeErrorsUm, RandomErrors, ToolErrors, ToothErrors};
+pub use workpiece_probe::{SettingErrors, WorkpieceProbe};
 
 use job::{Diagnostic, Loaded, ProcessJob};
 use schemars::{JsonSchema, Schema, json_schema};
@@ -69,12 +73,18 @@ pub struct SkivingJob {
     /// file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub readings: Option<TriggerFile>,
+    /// The run-out of the tool, answered while it skives.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub runout: Option<RunoutCorrection>,
     /// The light barrier measured with a mandrel.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub calibration: Option<MandrelCalibration>,
     /// A stylus that scans the edges.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stylus: Option<Stylus>,
+    /// The machined workpiece, measured by a probe in the tool spindle.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub workpiece_probe: Option<WorkpieceProbe>,
     /// How often the measurement is repeated with other noise.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub monte_carlo: Option<MonteCarlo>,
@@ -134,7 +144,8 @@ pub type LoadedSkivingJob = Loaded<SkivingJob>;
 
 impl ProcessJob for SkivingJob {
     const NAME: &'static str = "skiving-tool-measuring";
-    const ABOUT: &'static str = "Measuring a skiving tool in the machine, and correcting the setting by it.";
+    const ABOUT: &'static str =
+        "Measuring a skiving tool or a shaping cutter in the machine, and correcting the setting by it.";
     const TEMPLATE: &'static str = include_str!("job/template.toml");
 
     fn info(&self) -> &JobInfo {

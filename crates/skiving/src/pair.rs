@@ -1,10 +1,20 @@
-//! A skiving tool and its workpiece on crossed axes: distances, coupling, direction of cutting
+//! A skiving tool and its workpiece on crossed axes, or a shaping cutter on a parallel one: distances, coupling, direction of cutting
 //! (`docs/mathematics/skiving.md#tool-and-workpiece`).
 
 use super::{SkivedFlank, SkivingError};
 use foundation::geometry::{Flank, Gear, Helicoid, SkivingTool};
 use foundation::kinematics::SkivingMotion;
 use std::f64::consts::PI;
+
+/// How tool and workpiece move.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Kinematics {
+    /// Crossed axes: the turning tool cuts along its edge's way through the space.
+    #[default]
+    Skiving,
+    /// Parallel axes: the tool cuts along its axis, stroke by stroke, turned along its own helix, while both roll.
+    Shaping,
+}
 
 /// Setting of the machine.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -15,6 +25,8 @@ pub struct PairData {
     pub centre_distance: Option<f64>,
     /// gamma, rad; `None`: -(beta_1 + s_I beta_2).
     pub crossed_axes_angle: Option<f64>,
+    /// How both move.
+    pub kinematics: Kinematics,
 }
 
 /// A tool, its workpiece and their motion.
@@ -23,6 +35,7 @@ pub struct SkivingPair {
     tool: SkivingTool,
     gear: Gear,
     motion: SkivingMotion,
+    kinematics: Kinematics,
 }
 
 /// Below this sine the axes count as parallel (`docs/mathematics/skiving.md#limits`).
@@ -32,7 +45,8 @@ impl SkivingPair {
     /// A pair at its nominal or a given setting.
     ///
     /// # Errors
-    /// [`SkivingError::InvalidNumber`], [`SkivingError::AxesParallel`], [`SkivingError::InvalidCentreDistance`].
+    /// [`SkivingError::InvalidNumber`], [`SkivingError::AxesParallel`], [`SkivingError::AxesCrossed`] of a shaping cutter,
+    /// [`SkivingError::InvalidCentreDistance`].
     pub fn new(tool: SkivingTool, gear: Gear, data: PairData) -> Result<Self, SkivingError> {
         check_gear(&gear)?;
         let sign = f64::from(gear.data().teeth.signum());
@@ -49,9 +63,15 @@ impl SkivingPair {
                 return Err(SkivingError::InvalidNumber { field, value, allowed: "a finite number" });
             }
         }
-        if angle.sin().abs() < PARALLEL {
-            return Err(SkivingError::AxesParallel { angle });
-        }
+        let angle = match (data.kinematics, angle.sin().abs() < PARALLEL) {
+            (Kinematics::Skiving, true) => return Err(SkivingError::AxesParallel { angle }),
+            (Kinematics::Shaping, false) => {
+                let [tool, work] = [tool.helix_angle(), gear.data().helix_angle];
+                return Err(SkivingError::AxesCrossed { angle, tool, needed: -sign * work });
+            }
+            (Kinematics::Skiving, false) => angle,
+            (Kinematics::Shaping, true) => 0.0,
+        };
         if distance * sign <= 0.0 {
             return Err(SkivingError::InvalidCentreDistance { value: distance, internal: sign < 0.0 });
         }
@@ -64,7 +84,12 @@ impl SkivingPair {
             work_angle: if sign > 0.0 { PI } else { 0.0 },
             twist: gear.flank(Flank::Left).twist_per_length(),
         };
-        Ok(Self { tool, gear, motion })
+        Ok(Self { tool, gear, motion, kinematics: data.kinematics })
+    }
+
+    /// How both move.
+    pub fn kinematics(&self) -> Kinematics {
+        self.kinematics
     }
 
     /// The tool.

@@ -4,6 +4,9 @@
 #[path = "../../nc/tests/peer/mod.rs"]
 mod peer;
 mod skiving;
+mod skiving_calibration;
+mod skiving_carriers;
+mod skiving_machining;
 mod skiving_programs;
 mod skiving_report;
 mod skiving_verdict;

@@ -35,6 +35,7 @@ fn machining(machine: &LoadedMachine) -> ToolMachining<'_> {
     ToolMachining {
         machine,
         mount: Mount { reversed: false, axial: 62.5, angle: 0.3 },
+        carrier: None,
         retreat: Retreat { distance: 12.0, direction: None, speed: 20.0 },
         output: 3,
         dialects: &ALL,

@@ -6,6 +6,22 @@ use finding::Finding;
 use foundation::geometry::{Flank, GeometryError};
 use thiserror::Error;
 
+/// What a dresser needs that ends before the contact; mm, rounded up to the next hundredth.
+fn deeper_or_larger(s: f64, from: f64, to: f64) -> String {
+    let up = |mm: f64| (mm * 100.0).ceil() / 100.0;
+    if s < from {
+        format!(
+            "give the dresser a flank that reaches {:.2} mm below its pitch circle (`dresser.flank_depth`), or ask for less of the flank",
+            up(-s)
+        )
+    } else {
+        format!(
+            "give the dresser a tip diameter larger by {:.2} mm, or ask for less of the flank",
+            up(2.0 * (s - to))
+        )
+    }
+}
+
 /// What can go wrong in tangential dressing. Lengths mm.
 #[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum TangentialError {
@@ -48,7 +64,7 @@ pub enum TangentialError {
         "the {flank} flank at radius {radius:.4} mm, z = {z:.4} mm needs the dresser at s = {s:.4} mm; it has {from:.4} to {to:.4} mm"
     )]
     #[finding(code = "outside-tool")]
-    #[way_out("give the dresser a larger tip diameter, the worm a larger one, or ask for less of the flank")]
+    #[way_out("{}", deeper_or_larger(*s, *from, *to))]
     OutsideTool {
         /// Flank concerned.
         flank: Flank,

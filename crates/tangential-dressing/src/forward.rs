@@ -70,12 +70,22 @@ impl<'a> TangentialFlank<'a> {
         measure: Measure,
     ) -> Self {
         let law = |channel| settings.law(channel, &model.scales, 1.0);
-        let profile = match (law(Channel::Profile(None)), law(Channel::Profile(Some(flank)))) {
-            (both, own) if own.is_zero() => both,
-            (both, own) => MotionLaw::Sum(vec![both, own]),
+        let parts = [
+            Some(law(Channel::Profile(None))),
+            Some(law(Channel::Profile(Some(flank)))),
+            model.existing[flank].clone(),
+        ];
+        let mut parts: Vec<MotionLaw> = parts.into_iter().flatten().filter(|law| !law.is_zero()).collect();
+        let profile = match (parts.pop(), parts.is_empty()) {
+            (None, _) => MotionLaw::zero(),
+            (Some(only), true) => only,
+            (Some(last), false) => {
+                parts.push(last);
+                MotionLaw::Sum(parts)
+            }
         };
         let surface = WormSurface {
-            profile: &model.profile,
+            profile: &model.profiles[flank],
             chain: model.chain,
             laws: DresserLaws {
                 profile,
@@ -85,7 +95,6 @@ impl<'a> TangentialFlank<'a> {
                 angle: law(Channel::DressingAngle),
             },
             sigma: model.pair.worm.flank(flank).s() * model.chain.screw_parameter.signum(),
-            flank_sign: model.pair.worm.flank(flank).s(),
         };
         Self { model, flank, measure, surface, motion: grinding_motion(model, pass, settings) }
     }
@@ -110,6 +119,14 @@ impl<'a> TangentialFlank<'a> {
         self.model.pair.work.flank(self.flank)
     }
 
+    /// The side of the dresser that dresses this flank, at a height above its pitch circle: half thickness, and what that lacks of the
+    /// nominal profile, mm.
+    pub fn half_thickness(&self, height: f64) -> [f64; 2] {
+        let nominal = self.surface.profile.half_thickness(height)[0];
+        let lacking = self.surface.laws.profile.value(height);
+        [nominal - lacking, lacking]
+    }
+
     pub(super) fn surface(&self) -> &WormSurface<'a> {
         &self.surface
     }
@@ -122,7 +139,7 @@ impl<'a> TangentialFlank<'a> {
     /// The flank on a grid.
     ///
     /// # Errors
-    /// [`TangentialError::Undercut`], [`TangentialError::OutsideTool`] at the first point concerned.
+    /// [`TangentialError::Undercut`] at the first point concerned, [`TangentialError::OutsideTool`] at the one farthest beyond.
     pub fn solve(&self, grid: &RollGrid) -> Result<Vec<FlankPoint>, TangentialError> {
         let points = self.solve_beyond_tool(grid)?;
         self.check_tool(grid, points.iter().map(|p| p.height))?;
@@ -190,7 +207,9 @@ impl<'a> TangentialFlank<'a> {
 
     fn check_tool(&self, grid: &RollGrid, heights: impl Iterator<Item = f64>) -> Result<(), TangentialError> {
         let [from, to] = self.model.heights;
-        match grid.points().zip(heights).find(|(_, s)| *s < from - 1e-9 || *s > to + 1e-9) {
+        let beyond = |s: f64| (from - s).max(s - to);
+        let farthest = grid.points().zip(heights).max_by(|(_, a), (_, b)| beyond(*a).total_cmp(&beyond(*b)));
+        match farthest.filter(|(_, s)| beyond(*s) > 1e-9) {
             None => Ok(()),
             Some(((w, z), s)) => {
                 let radius = self.model.radius(self.flank, w);
@@ -228,7 +247,8 @@ impl<'a> TangentialFlank<'a> {
             (-radial.dot(&dressed.axes.e2)).atan2(-radial.dot(&dressed.axes.e1))
         });
         // The solver has eliminated the angle on the dresser; the determinant with it has the circle's rate as a factor.
-        let nominal = self.model.profile.height(self.model.pair.flanks[self.flank].worm_roll(w, 0.0, 0.0));
+        let w_1 = self.model.pair.flanks[self.flank].worm_roll(w, 0.0, at.feed);
+        let nominal = self.model.profiles[self.flank].height(w_1);
         let rates = [self.surface.circle_rate(s, x_d), plain.circle_rate(nominal, 0.0)];
         let folding = match rates {
             [Some(now), Some(before)] => now / before,

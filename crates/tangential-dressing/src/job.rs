@@ -6,6 +6,7 @@ mod channel;
 mod checks;
 mod dresser;
 mod dressing;
+mod explore;
 mod grinding;
 mod names;
 mod settings;
@@ -19,6 +20,7 @@ pub use dresser::{DresserProfile, TangentialDresser};
 pub use dressing::{
     DeviationMeasure, FitMethod, FitWeights, Passes, TangentialDressing, VariableRule, Variables,
 };
+pub use explore::TangentialExplore;
 pub use grinding::{OffsetRule, ShiftOffset, ShiftRatio, ShiftRule, TangentialGrinding};
 pub use settings::{FlankValues, TangentialSettings};
 pub use spline::{SplineChoice, SplineValues};
@@ -39,7 +41,7 @@ use job::tables::{Control, Gear, Grid, Hand, JobInfo, Language, Machine, Output}
 pub struct TangentialJob {
     /// Name and process.
     pub job: JobInfo,
-    /// The workpiece: external and cylindrical, the same pressure angle on both flanks.
+    /// The workpiece: external, cylindrical or conical, its flanks alike or not.
     pub gear: Gear,
     /// The wanted flank.
     pub target: TangentialTarget,
@@ -64,6 +66,9 @@ pub struct TangentialJob {
     /// What to write beside result and report.
     #[serde(default)]
     pub output: Output,
+    /// What a study varies.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub explore: Option<TangentialExplore>,
     /// Values of the variables that `simulate` runs; `plan` writes them and does not read them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub settings: Option<TangentialSettings>,

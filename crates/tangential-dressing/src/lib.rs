@@ -4,6 +4,7 @@
 
 mod channel;
 mod error;
+mod existing;
 mod fit;
 mod forward;
 pub mod job;
@@ -22,6 +23,7 @@ mod worm_surface;
 
 pub use channel::{Abscissa, Channel, LARGEST_EXPONENT, Shape, Variable};
 pub use error::TangentialError;
+pub use existing::{CarriedProfile, ExistingDresser};
 pub use fit::{Fit, FitLimits, FitMethod, FitTask, Judged};
 pub use forward::{FlankPoint, RollGrid, TangentialFlank};
 pub use model::{DressedLine, ShiftOffset, ShiftRatio, TangentialInput, TangentialModel};

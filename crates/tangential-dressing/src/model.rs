@@ -3,11 +3,12 @@
 
 use super::TangentialError;
 use super::channel::{Abscissa, Channel};
+use super::existing::ExistingDresser;
 use super::profile::{Profile, ProfileKind};
 use super::settings::Scales;
-use contact::Pair;
+use contact::{FlankPair, Pair};
 use foundation::geometry::{Flank, Gear, Sides};
-use foundation::kinematics::{DressingChain, GeneratingChain};
+use foundation::kinematics::{DressingChain, GeneratingChain, MotionLaw};
 use std::f64::consts::FRAC_PI_2;
 
 /// Tool shift per feed.
@@ -17,8 +18,9 @@ pub enum ShiftRatio {
     Given(f64),
     /// Width of the shift over the face width.
     Width,
-    /// kappa_0, at which the place on the worm depends on the place along the gear alone.
-    Neutral,
+    /// kappa_0, at which the place on the worm depends on the place along the gear alone; the mean where flanks that are ground have
+    /// different ones.
+    Neutral(Sides<bool>),
 }
 
 /// Tool shift at the middle of the gear.
@@ -43,6 +45,8 @@ pub struct TangentialInput {
     pub dresser_pitch_radius: f64,
     /// Tip radius of the dresser, if it limits.
     pub dresser_tip_radius: Option<f64>,
+    /// Depth of the dresser's flank below its pitch circle; without it that of the worm's tip.
+    pub dresser_depth: Option<f64>,
     /// Its profile.
     pub profile: ProfileKind,
     /// Radii between which the flank is evaluated: r_s, r_e.
@@ -59,15 +63,17 @@ pub struct TangentialInput {
     pub shift_offset: ShiftOffset,
 }
 
-/// The straight line on which the unmodified flank is dressed: x_D = offset + slope (w - w_star) while the tool stands unshifted.
+/// The straight line on which the unmodified flank is dressed: x_D = offset + slope (w - w_star) + along z while the tool stands unshifted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DressedLine {
-    /// w_star: length of roll on the gear that touches in the plane z_g = z.
+    /// w_star: length of roll on the gear that touches in the plane z_g = 0 at z = 0; of a cylindrical gear in that of every z.
     pub w_star: f64,
     /// FT0*, mm.
     pub offset: f64,
     /// e1.
     pub slope: f64,
+    /// e2: how the place moves along the worm with the feed z; 0 for a cylindrical gear.
+    pub along: f64,
     /// Largest distance of the true places from it, mm.
     pub nonlinearity: f64,
 }
@@ -82,11 +88,14 @@ pub struct TangentialModel {
     pub chain: DressingChain,
     /// Where each flank is dressed.
     pub lines: Sides<DressedLine>,
-    /// kappa_0; `None` for a spur gear.
-    pub neutral_ratio: Option<f64>,
+    /// kappa_0 of each flank, equal where the gear is cylindrical and symmetric; `None` for a spur gear.
+    pub neutral_ratios: Sides<Option<f64>>,
     /// kappa.
     pub shift_ratio: f64,
-    pub(super) profile: Profile,
+    /// The dresser's sides without the functions that the variables add.
+    pub(super) profiles: Sides<Profile>,
+    /// What a dresser that exists lacks of them, over s.
+    pub(super) existing: Sides<Option<MotionLaw>>,
     pub(super) scales: Scales,
     /// Heights of the dresser that exist, mm.
     pub(super) heights: [f64; 2],
@@ -105,23 +114,31 @@ impl TangentialModel {
     pub fn new(input: TangentialInput) -> Result<Self, TangentialError> {
         let TangentialInput { gear, worm, .. } = &input;
         let data = gear.data();
-        let (alpha, module) = (data.pressure_angle.left, data.normal_module);
+        let (alpha, module) = (worm.data().pressure_angle, worm.data().normal_module);
         check(&input)?;
-        let (beta_1, beta_2) = (worm.data().helix_angle, data.helix_angle);
+        // A worm of another profile angle meets the gear on another rack, on which it stands under another angle.
+        let own_rack = alpha == data.pressure_angle;
+        let rack =
+            if own_rack { gear.own_rack() } else { gear.rack_with_pressure_angle(Flank::Left, alpha.left)? };
+        let (beta_1, beta_2) = (worm.data().helix_angle, rack.helix_angle);
         let (r_p1, r_p2) = (worm.pitch_radius(), gear.pitch_radius());
         let angle = -(beta_1 + beta_2);
-        let pair = Pair::new(
-            *worm,
-            *gear,
-            GeneratingChain {
-                centre_distance: r_p1 + r_p2 + data.profile_shift * module,
-                crossed_axes_angle: angle,
-                worm_cone: 0.0,
-                work_cone: 0.0,
-                worm_pivot: 0.0,
-                work_pivot: 0.0,
-            },
-        )?;
+        let pair = if gear.is_cylindrical() && own_rack {
+            Pair::new(
+                *worm,
+                *gear,
+                GeneratingChain {
+                    centre_distance: r_p1 + r_p2 + data.profile_shift * module,
+                    crossed_axes_angle: angle,
+                    worm_cone: 0.0,
+                    work_cone: 0.0,
+                    worm_pivot: 0.0,
+                    work_pivot: 0.0,
+                },
+            )?
+        } else {
+            Pair::without_backlash(*worm, *gear, angle)?
+        };
         let chain = DressingChain {
             worm_angle: -FRAC_PI_2,
             crossing_angle: beta_1 - beta_1.signum() * FRAC_PI_2,
@@ -129,47 +146,86 @@ impl TangentialModel {
             offset: 0.0,
             screw_parameter: worm.screw_parameter(Flank::Left),
         };
-        let profile = Profile::new(
-            worm.flank(Flank::Left),
-            &chain,
-            input.dresser_pitch_radius,
-            r_p1,
-            [module, alpha],
-            input.profile,
-        )?;
-        let lines = Sides::from_fn(|flank| dressed_line(&pair, &profile, flank, input.radii));
-        let left = gear.flank(Flank::Left);
-        let tan_beta_b2 = left.base_helix_angle.tan();
-        let neutral_ratio = (tan_beta_b2.abs() > 1e-12).then(|| lines.left.slope / tan_beta_b2);
+        // Along the face the rack climbs a cone.
+        let climb = input.faces.into_iter().map(f64::abs).fold(0.0, f64::max) * data.cone_angle.tan().abs();
+        let profiles = Sides::try_from_fn(|flank| {
+            let radii = [input.dresser_pitch_radius, r_p1];
+            let kind = (input.profile, climb);
+            Profile::new(worm.flank(flank), &chain, radii, [module, alpha[flank]], kind)
+        })?;
+        let lines = Sides::from_fn(|flank| dressed_line(&pair, &profiles[flank], flank, input.radii));
+        // x_D = e1 (w - w_star) + (e2 - kappa) z, and z moves with w while z_g stays.
+        let neutral_ratios = Sides::from_fn(|flank| {
+            let by_roll = feed_by_roll(&pair.flanks[flank]);
+            let DressedLine { slope, along, .. } = lines[flank];
+            (by_roll.abs() > 1e-12).then(|| along + slope / by_roll)
+        });
         let shift_ratio = match input.shift_ratio {
             ShiftRatio::Given(ratio) => ratio,
             ShiftRatio::Width => input.shift_width / input.face_width,
-            ShiftRatio::Neutral => neutral_ratio.ok_or(TangentialError::InvalidNumber {
-                field: "shift_ratio",
-                value: beta_2.to_degrees(),
-                allowed: "a number: the helix angle of a spur gear leaves no neutral ratio",
-            })?,
+            ShiftRatio::Neutral(flanks) => {
+                let ratios: Vec<f64> = Flank::BOTH
+                    .into_iter()
+                    .filter(|&f| flanks[f])
+                    .filter_map(|f| neutral_ratios[f])
+                    .collect();
+                if ratios.is_empty() {
+                    return Err(TangentialError::InvalidNumber {
+                        field: "shift_ratio",
+                        value: beta_2.to_degrees(),
+                        allowed: "a number: the helix angle of a spur gear leaves no neutral ratio",
+                    });
+                }
+                ratios.iter().sum::<f64>() / ratios.len() as f64
+            }
         };
-        let [low, high] = profile.heights;
-        let worm_tip = input.worm_tip_radius.map_or(low, |r| low.max(r_p1 - r));
+        let [low, high] = profiles.left.heights;
+        let lowest = match (input.dresser_depth, input.worm_tip_radius) {
+            (Some(depth), _) if depth > 0.0 && depth <= -low => -depth,
+            (Some(value), _) => {
+                return Err(TangentialError::InvalidNumber {
+                    field: "dresser.flank_depth",
+                    value,
+                    allowed: "above 0 and at most 1.75 normal modules",
+                });
+            }
+            (None, Some(tip)) => low.max(r_p1 - tip),
+            (None, None) => low,
+        };
         let dresser_tip = input.dresser_tip_radius.map_or(high, |r| high.min(r - input.dresser_pitch_radius));
         Ok(Self {
             pair,
             chain,
             lines,
-            neutral_ratio,
+            neutral_ratios,
             shift_ratio,
-            profile,
-            heights: [worm_tip, dresser_tip],
+            profiles,
+            existing: Sides { left: None, right: None },
+            heights: [lowest, dresser_tip],
             scales: Scales {
-                normal_module: module,
-                normal_pressure_angle: alpha,
+                normal_module: data.normal_module,
+                mean_tangent: 0.5 * (data.pressure_angle.left.tan() + data.pressure_angle.right.tan()),
                 shift_width: input.shift_width,
                 face_width: input.face_width,
                 work_pitch_radius: r_p2,
             },
             input,
         })
+    }
+
+    /// The same bodies with a dresser that exists: its sides are what they are, whatever worm they were made for.
+    ///
+    /// # Errors
+    /// [`TangentialError::InvalidNumber`] for a profile that has no value, or that turns back on itself.
+    pub fn with_dresser(self, dresser: &ExistingDresser) -> Result<Self, TangentialError> {
+        let existing = Sides::try_from_fn(|flank| dresser.lacking(&self.profiles[flank], flank).map(Some))?;
+        Ok(Self { existing, ..self })
+    }
+
+    /// kappa_0 where both flanks have the same, within what rounding leaves; `None` for a spur gear too.
+    pub fn neutral_ratio(&self) -> Option<f64> {
+        let Sides { left: Some(left), right: Some(right) } = self.neutral_ratios else { return None };
+        ((left - right).abs() <= 1e-9 * (1.0 + left.abs())).then_some(left)
     }
 
     /// What it was made from.
@@ -210,13 +266,13 @@ impl TangentialModel {
         for &flank in flanks {
             for w in self.rolls(flank) {
                 for z_g in self.input.faces {
-                    let line = &self.lines[flank];
-                    let z = z_g - self.pair.flanks[flank].work_z(w, 0.0, 0.0);
-                    let x_d = line.offset + line.slope * (w - line.w_star) - self.shift_ratio * z - offset;
+                    let (line, pair) = (&self.lines[flank], &self.pair.flanks[flank]);
+                    let z = (pair.work_z(w, 0.0, 0.0) - z_g) / pair.c_zv22;
+                    let x_d =
+                        line.offset + line.slope * (w - line.w_star) + (line.along - self.shift_ratio) * z
+                            - offset;
                     let at = match channel.abscissa() {
-                        Abscissa::Profile => {
-                            self.profile.height(self.pair.flanks[flank].worm_roll(w, 0.0, 0.0))
-                        }
+                        Abscissa::Profile => self.profiles[flank].height(pair.worm_roll(w, 0.0, -z)),
                         Abscissa::Worm => x_d,
                         Abscissa::Gear => z,
                     };
@@ -237,22 +293,15 @@ fn check(input: &TangentialInput) -> Result<(), TangentialError> {
     };
     let data = gear.data();
     number("teeth", gear.tooth_count(), data.teeth > 0, "an external gear: > 0")?;
-    for (body, field) in [(&gear, "cone angle of the gear"), (&worm, "cone angle of the worm")] {
-        number(field, body.data().cone_angle.to_degrees(), body.is_cylindrical(), "0 deg")?;
+    number("cone angle of the worm", worm.data().cone_angle.to_degrees(), worm.is_cylindrical(), "0 deg")?;
+    for (_, alpha) in data.pressure_angle.iter() {
+        let degrees = alpha.to_degrees();
+        number("normal_pressure_angle", degrees, degrees > 0.0 && degrees < 45.0, "between 0 and 45 deg")?;
     }
-    let alpha = data.pressure_angle;
-    number(
-        "pressure angle, left minus right",
-        (alpha.left - alpha.right).to_degrees(),
-        alpha.left == alpha.right,
-        "0 deg: symmetric teeth",
-    )?;
-    let degrees = alpha.left.to_degrees();
-    number("normal_pressure_angle", degrees, degrees > 0.0 && degrees < 45.0, "between 0 and 45 deg")?;
     let least = worm.tooth_count() * data.normal_module;
     let diameter = 2.0 * worm.pitch_radius();
     number("pitch diameter of the worm", diameter, diameter > least, "> threads times normal module")?;
-    let r_b2 = gear.flank(Flank::Left).base_radius;
+    let r_b2 = Flank::BOTH.map(|flank| gear.flank(flank).base_radius).into_iter().fold(0.0, f64::max);
     number("start radius", r_s, r_s.is_finite() && r_s > r_b2, "above the base circle of the gear")?;
     number("end radius", r_e, r_e.is_finite() && r_e > r_s, "above the start radius")?;
     let [from, to] = input.faces;
@@ -276,10 +325,14 @@ fn check(input: &TangentialInput) -> Result<(), TangentialError> {
 /// Equidistant lengths of roll through which the dressed line is laid.
 const LINE_POINTS: u32 = 9;
 
+/// dz/dw: how the feed of the tool follows the length of roll at the same place of the gear.
+pub(super) fn feed_by_roll(pair: &FlankPair) -> f64 {
+    pair.c_w2 / pair.c_zv22
+}
+
 /// The dressed line of a flank: the straight line of least squares through equidistant lengths of roll.
 fn dressed_line(pair: &Pair, profile: &Profile, flank: Flank, radii: [f64; 2]) -> DressedLine {
     let both = &pair.flanks[flank];
-    let sign = pair.worm.flank(flank).s();
     let r_b = pair.work.flank(flank).base_radius;
     let [from, to] = radii.map(|r| (r * r - r_b * r_b).sqrt());
     // work_z is affine in w and vanishes at w_star; a spur gear touches in its plane everywhere.
@@ -288,7 +341,7 @@ fn dressed_line(pair: &Pair, profile: &Profile, flank: Flank, radii: [f64; 2]) -
     let places = (0..LINE_POINTS).map(|i| {
         let w = from + (to - from) * f64::from(i) / f64::from(LINE_POINTS - 1);
         let w_1 = both.worm_roll(w, 0.0, 0.0);
-        (w - w_star, both.worm_z(w_1, 0.0, 0.0) - sign * profile.line(w_1))
+        (w - w_star, both.worm_z(w_1, 0.0, 0.0) - profile.line(w_1))
     });
     let n = f64::from(LINE_POINTS);
     let (sum_w, sum_x) = places.clone().fold((0.0, 0.0), |(a, b), (w, x)| (a + w, b + x));
@@ -299,7 +352,11 @@ fn dressed_line(pair: &Pair, profile: &Profile, flank: Flank, radii: [f64; 2]) -
     let slope = across / along;
     let offset = mean_x - slope * mean_w;
     let nonlinearity = places.map(|(w, x)| (x - offset - slope * w).abs()).fold(0.0, f64::max);
-    DressedLine { w_star, offset, slope, nonlinearity }
+    // The feed z = -z_V2 moves the contact along a conical gear's rack, up or down the worm's profile.
+    let roll_by_feed = both.hat_zv2 / both.hat_w1;
+    let middle = both.worm_roll(0.5 * (from + to), 0.0, 0.0);
+    let along = (both.c_w1 - profile.line_slope(middle)) * roll_by_feed - both.c_zv21;
+    DressedLine { w_star, offset, slope, along, nonlinearity }
 }
 
 #[cfg(test)]
@@ -324,6 +381,7 @@ pub(super) mod tests {
             worm_tip_radius: None,
             dresser_pitch_radius: 57.825,
             dresser_tip_radius: None,
+            dresser_depth: None,
             profile,
             radii: [38.10325, 44.26575],
             faces: [-20.0, 20.0],
@@ -354,7 +412,11 @@ pub(super) mod tests {
             ("pitch radius of the dresser", TangentialInput { dresser_pitch_radius: 0.0, ..good }),
             (
                 "shift_ratio",
-                TangentialInput { gear: Gear::new(spur).unwrap(), shift_ratio: ShiftRatio::Neutral, ..good },
+                TangentialInput {
+                    gear: Gear::new(spur).unwrap(),
+                    shift_ratio: ShiftRatio::Neutral(Sides::both(true)),
+                    ..good
+                },
             ),
         ];
         for (field, input) in cases {

@@ -4,8 +4,8 @@ use crate::job::{LoadedTangentialJob, TangentialJob};
 use crate::workflow::derived::of_tangential;
 use crate::workflow::followed::OnTangential;
 use crate::workflow::previewed::preview_tangential;
-use crate::workflow::{TangentialJobOutcome, TangentialResult};
-use crate::workflow::{plan_tangential, simulate_tangential};
+use crate::workflow::{TangentialExploration, TangentialJobOutcome, TangentialResult};
+use crate::workflow::{explore_tangential, plan_tangential, simulate_tangential};
 use ::job::ProcessJob;
 use foundation::numerics::Progress;
 use generating_grinding::workflow::programs::BodiesCheck;
@@ -26,11 +26,14 @@ impl Process for TangentialDressing {
     }
 
     fn tasks(&self) -> &'static [Task] {
-        &[Task::Plan, Task::Simulate]
+        &[Task::Plan, Task::Simulate, Task::Explore]
     }
 
     fn documents(&self) -> Vec<DocumentFormat> {
-        vec![DocumentFormat::of::<TangentialResult>(TangentialJob::NAME, "result.json")]
+        vec![
+            DocumentFormat::of::<TangentialResult>(TangentialJob::NAME, "result.json"),
+            DocumentFormat::of::<TangentialExploration>("tangential-exploration", "explore.json"),
+        ]
     }
 
     fn carry_out(
@@ -41,22 +44,14 @@ impl Process for TangentialDressing {
     ) -> Result<Box<dyn TaskOutcome>, JobFailure> {
         let outcome = match task {
             Task::Simulate => simulate_tangential(loaded, progress)?,
-            Task::Plan | Task::Explore | Task::Inspect => plan_tangential(loaded, progress)?,
+            Task::Explore => return Ok(Box::new(explore_tangential(loaded, progress)?)),
+            Task::Plan | Task::Inspect => plan_tangential(loaded, progress)?,
         };
         Ok(Box::new(TangentialJobOutcome { loaded: loaded.clone(), outcome }))
     }
 
     fn commands(&self) -> Vec<&'static str> {
-        vec!["plan", "simulate", "program check"]
-    }
-
-    fn instead(&self, command: &str) -> &'static str {
-        match command {
-            "explore" | "convert" => {
-                "take `flankwright plan`, which compares methods and shows sensitivities in its report"
-            }
-            _ => "take a job of one of these processes, or another command for this one",
-        }
+        vec!["plan", "simulate", "explore", "program check"]
     }
 
     fn derived(&self, loaded: &LoadedTangentialJob) -> Result<(DerivedGeometry, Vec<Remark>), JobFailure> {

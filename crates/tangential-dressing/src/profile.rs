@@ -34,7 +34,7 @@ const NOISE: f64 = 5e-15;
 /// Accuracy of a length of roll, mm; heights follow it with a slope of some tenths.
 const ROLL_ACCURACY: f64 = 1e-14;
 
-/// The nominal profile.
+/// The nominal profile of one side.
 #[derive(Clone, Debug)]
 pub(super) struct Profile {
     /// Pitch radius r_pd, mm.
@@ -45,21 +45,22 @@ pub(super) struct Profile {
     half_thickness: Chebyshev,
     /// s of a length of roll w_1 of the worm.
     height: Chebyshev,
-    /// z_c: where along the worm w_1 is dressed while x_D = 0; of the left flank.
+    /// z_c: where along the worm w_1 is dressed while x_D = 0.
     line: Chebyshev,
 }
 
 impl Profile {
-    /// The profile for the left flank of a worm; that of the right one is its mirror image.
+    /// The side that dresses a flank of a worm, on pitch radii of dresser and worm; of a symmetric worm both are mirror images. A conical gear
+    /// uses `beyond` more of it at both ends, mm.
     pub fn new(
         worm: &InvoluteFlank,
         chain: &DressingChain,
-        pitch_radius: f64,
-        worm_pitch_radius: f64,
+        [pitch_radius, worm_pitch_radius]: [f64; 2],
         [normal_module, normal_pressure_angle]: [f64; 2],
-        kind: ProfileKind,
+        (kind, beyond): (ProfileKind, f64),
     ) -> Result<Self, TangentialError> {
-        let heights = HEIGHTS.map(|x| x * normal_module);
+        let [lowest, highest] = HEIGHTS.map(|x| x * normal_module);
+        let heights = [lowest - beyond, highest + beyond];
         let r_b = worm.base_radius;
         if worm_pitch_radius + heights[0] <= r_b {
             return Err(TangentialError::InvalidNumber {
@@ -86,7 +87,7 @@ impl Profile {
             Ok((w, at(w)?))
         };
         let side = worm.s() * if worm.base_helix_angle > 0.0 { 1.0 } else { -1.0 };
-        let [from, to] = [KNOWN_FROM * normal_module, heights[1]];
+        let [from, to] = [KNOWN_FROM * normal_module - beyond, heights[1]];
         let thickness = match kind {
             ProfileKind::Conjugate => {
                 Chebyshev::fit(from, to, NODES, |s| Ok::<f64, TangentialError>(side * roll_of(s)?.1.z))?
@@ -117,6 +118,12 @@ impl Profile {
         })
     }
 
+    /// Heights over which the half thickness is known, mm.
+    pub fn known(&self) -> [f64; 2] {
+        let (from, to) = self.half_thickness.interval();
+        [from, to]
+    }
+
     /// S, S', S'' at the height s, mm. Beyond what is known it continues with the curvature of its end: a way for iterations, not a
     /// dresser.
     pub fn half_thickness(&self, s: f64) -> [f64; 3] {
@@ -139,10 +146,28 @@ impl Profile {
         [from, to]
     }
 
-    /// z_c of the left flank, mm; the right one has it on the other side.
+    /// The length of roll that the height s dresses nominally, mm; beyond the profile that of its end.
+    pub fn roll(&self, s: f64) -> f64 {
+        let (first, last) = self.height.interval();
+        let off = |w: f64| self.height.value(w) - s;
+        let ends = [off(first), off(last)];
+        if ends[0] * ends[1] >= 0.0 {
+            // Large rolls of the worm lie low on the dresser.
+            return if ends[0].abs() < ends[1].abs() { first } else { last };
+        }
+        brent([first, last], ends, ROLL_ACCURACY, |w| Some(off(w))).unwrap_or(first)
+    }
+
+    /// z_c, mm.
     pub fn line(&self, w_1: f64) -> f64 {
         let (from, to) = self.line.interval();
         self.line.value(w_1.clamp(from, to))
+    }
+
+    /// dz_c/dw_1.
+    pub fn line_slope(&self, w_1: f64) -> f64 {
+        let (from, to) = self.line.interval();
+        self.line.jet(w_1.clamp(from, to))[1]
     }
 
     /// A side of the dresser as a surface of revolution over s, with the profile function F_p taken off, between `heights` as far as it

@@ -27,18 +27,19 @@ pub struct RadialFeed {
 impl TangentialModel {
     /// Twist of conventional helix crowning per crowning, material left, of a flank: first order.
     pub fn natural_twist(&self, flank: Flank) -> f64 {
-        let f = self.pair.work.flank(flank);
+        let pair = &self.pair.flanks[flank];
         let [from, to] = self.rolls(flank);
-        -8.0 * f.s() * f.base_helix_angle.tan() * (to - from) / self.input().face_width
+        // z = (c_w2 w + c_c2 - z_g)/c_zv22, whose square has the mixed term.
+        8.0 * pair.c_w2 / (pair.c_zv22 * pair.c_zv22) * (to - from) / self.input().face_width
     }
 
-    /// The settings of conventional helix crowning by `crowning` (mm, normal, material removed at the ends): the tool does not shift, the worm
-    /// is plain.
-    pub fn radial_feed_settings(&self, crowning: f64) -> TangentialSettings {
+    /// The settings of conventional helix crowning of a flank by `crowning` (mm, normal, material removed at the ends): the tool does not
+    /// shift, the worm is plain.
+    pub fn radial_feed_settings(&self, flank: Flank, crowning: f64) -> TangentialSettings {
         let mut settings = TangentialSettings::default();
-        let pressure_angle = self.input().gear.data().pressure_angle.left;
-        // dm/d(dist) = cos(alpha_n) (`docs/mathematics/tangential-dressing.md#channels-and-variables`).
-        let amount = -crowning / pressure_angle.cos();
+        // dm/dd = sin(alpha_n) of the flank's own rack (`docs/mathematics/tangential-dressing.md#channels-and-variables`).
+        let by_distance = self.pair.flanks[flank].operating_alpha_n.sin();
+        let amount = -crowning / (by_distance * self.scales.effect(Channel::CentreDistance));
         settings.set(&Variable::power(Channel::CentreDistance, 2), amount);
         settings.set(&Variable::shift_ratio(), -self.shift_ratio);
         settings
@@ -55,7 +56,7 @@ impl TangentialModel {
         measure: Measure,
         grid: FitGrid,
     ) -> Result<RadialFeed, TangentialError> {
-        let settings = self.radial_feed_settings(crowning);
+        let settings = self.radial_feed_settings(flank, crowning);
         let ground = TangentialFlank::new(self, flank, &[flank], &settings, measure);
         let grid = grid.of(self, flank);
         let deviations = ground.deviations(&grid)?;

@@ -88,8 +88,29 @@ impl SelectionTask {
                 (Channel::ToolShift, 1..=3),
             ]);
         }
-        let offers = offers.into_iter().filter(|(channel, _)| !excluded.contains(channel));
+        let offers = offers.into_iter().filter(|(channel, _)| !excluded.contains(&whole(*channel)));
         offers.flat_map(|(channel, powers)| powers.map(move |k| Variable::power(channel, k))).collect()
+    }
+
+    /// Constants with which a dresser that exists settles on a worm that it was not made for, without what `excluded` channels do.
+    pub fn settling_candidates(excluded: &[Channel]) -> Vec<Variable> {
+        let constants = [
+            (Channel::DressingDistance, 0),
+            (Channel::DressingAngle, 0),
+            (Channel::AxialOffset, 0),
+            (Channel::TangentialShift, 0),
+            (Channel::TangentialShift, 1),
+        ];
+        let offers = constants.into_iter().filter(|(channel, _)| !excluded.contains(channel));
+        offers.map(|(channel, k)| Variable::power(channel, k)).collect()
+    }
+}
+
+/// The sides of the dresser go with its profile.
+fn whole(channel: Channel) -> Channel {
+    match channel {
+        Channel::Profile(_) => Channel::Profile(None),
+        other => other,
     }
 }
 

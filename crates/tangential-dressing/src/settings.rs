@@ -13,7 +13,8 @@ pub struct TangentialSettings {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scales {
     pub normal_module: f64,
-    pub normal_pressure_angle: f64,
+    /// Mean of the tangents of both pressure angles.
+    pub mean_tangent: f64,
     pub shift_width: f64,
     pub face_width: f64,
     pub work_pitch_radius: f64,
@@ -33,7 +34,7 @@ impl Scales {
     pub fn effect(&self, channel: Channel) -> f64 {
         match channel {
             Channel::CrossedAxesAngle => 1.0 / (2.0 * std::f64::consts::PI * self.normal_module),
-            Channel::CentreDistance => 1.0 / self.normal_pressure_angle.tan(),
+            Channel::CentreDistance => 1.0 / self.mean_tangent,
             Channel::WorkTurn => 1.0 / self.work_pitch_radius,
             _ => 1.0,
         }

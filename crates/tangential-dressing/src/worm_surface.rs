@@ -45,8 +45,6 @@ pub(super) struct WormSurface<'a> {
     pub laws: DresserLaws,
     /// Side of the dresser, sigma.
     pub sigma: f64,
-    /// +1 left, -1 right.
-    pub flank_sign: f64,
 }
 
 /// Profile and laws with their first two derivatives at one place.
@@ -204,7 +202,7 @@ impl ToolSurface for WormSurface<'_> {
     }
 
     fn start(&self, w_1: f64, z_1: f64) -> (f64, f64) {
-        (self.profile.height(w_1), z_1 - self.flank_sign * self.profile.line(w_1))
+        (self.profile.height(w_1), z_1 - self.profile.line(w_1))
     }
 
     fn with_share(&self, share: f64) -> Box<dyn ToolSurface + '_> {
@@ -220,7 +218,6 @@ impl ToolSurface for WormSurface<'_> {
 mod tests {
     use super::*;
     use crate::{ProfileKind, TangentialError};
-    use foundation::geometry::Flank;
     use foundation::numerics::variables;
 
     fn surface(profile: &Profile, chain: DressingChain) -> WormSurface<'_> {
@@ -232,14 +229,13 @@ mod tests {
             distance: law(&[0.1, -0.02, 1e-3]),
             angle: law(&[2e-3, 1e-4, -2e-5]),
         };
-        WormSurface { profile, chain, laws, sigma: -1.0, flank_sign: 1.0 }
+        WormSurface { profile, chain, laws, sigma: -1.0 }
     }
 
     #[test]
     fn the_jet_by_hand_is_that_of_dual_numbers() -> Result<(), TangentialError> {
         let model = crate::model::tests::source_model(ProfileKind::Conjugate)?;
-        let surface = surface(&model.profile, model.chain);
-        assert_eq!(model.pair.worm.flank(Flank::Left).s(), surface.flank_sign);
+        let surface = surface(&model.profiles.left, model.chain);
         for (s, x_d) in [(-3.5, 20.0), (0.0, 0.0), (1.3, -31.0), (2.9, 7.0)] {
             let [sd, xd] = variables([s, x_d]);
             let dressed = surface.touch(sd, xd).unwrap();

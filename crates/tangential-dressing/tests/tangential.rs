@@ -34,6 +34,7 @@ fn input(gear: GearData, hand: f64, radii: [f64; 2]) -> TangentialInput {
         worm_tip_radius: None,
         dresser_pitch_radius: 57.825,
         dresser_tip_radius: None,
+        dresser_depth: None,
         profile: ProfileKind::Conjugate,
         radii,
         faces: [-20.0, 20.0],
@@ -113,7 +114,7 @@ fn the_unmodified_flank_is_exact_for_all_hands_and_gears() {
     ];
     for (name, gear, hand, radii) in bodies {
         let model = TangentialModel::new(input(gear, hand, radii)).unwrap();
-        assert_eq!(model.neutral_ratio.is_none(), name == "spur");
+        assert_eq!(model.neutral_ratio().is_none(), name == "spur");
         for flank in Flank::BOTH {
             for measure in [Measure::Arc, Measure::Ray] {
                 let plain = ground(&model, flank, &TangentialSettings::default(), measure);
@@ -322,10 +323,7 @@ fn bodies_that_cannot_be_are_refused_by_name() {
     let (work, thread) = (*good.gear.data(), *good.worm.data());
     let angle = |deg: f64| Sides::both(f64::to_radians(deg));
     refused(gear(GearData { teeth: -60, ..work }), "teeth");
-    refused(gear(GearData { cone_angle: 0.05, ..work }), "cone angle of the gear");
     refused(worm(GearData { cone_angle: 0.01, ..thread }), "cone angle of the worm");
-    let apart = Sides { left: 0.3, right: 0.31 };
-    refused(gear(GearData { pressure_angle: apart, ..work }), "pressure angle, left minus right");
     refused(gear(GearData { pressure_angle: angle(46.0), ..work }), "normal_pressure_angle");
     refused(worm(GearData { helix_angle: 0.0, ..thread }), "pitch diameter of the worm");
     // A worm of 16 mm has its base circle above its root.
@@ -344,7 +342,7 @@ fn bodies_that_cannot_be_are_refused_by_name() {
         refused(TangentialInput { shift_offset: ShiftOffset::Given(value), ..good }, "shift_offset");
     }
     let spur = input(self::work(0.0, 0.0), 1.0, [32.0, 36.75]);
-    refused(TangentialInput { shift_ratio: ShiftRatio::Neutral, ..spur }, "shift_ratio");
+    refused(TangentialInput { shift_ratio: ShiftRatio::Neutral(Sides::both(true)), ..spur }, "shift_ratio");
     // A module that is none stops at the body itself.
     let error = TangentialError::from(Gear::new(GearData { normal_module: 0.0, ..work }).unwrap_err());
     assert!(error.is_bad_input());
@@ -375,6 +373,24 @@ fn what_worm_or_dresser_do_not_reach_is_refused_with_its_place() {
             }
             Err(other) => panic!("{other}"),
         }
+    }
+}
+
+#[test]
+fn a_dresser_may_reach_below_the_tip_of_the_worm() {
+    let short = TangentialInput { worm_tip_radius: Some(95.625 + 3.5), ..source() };
+    let solved = |input: TangentialInput| {
+        let model = TangentialModel::new(input)?;
+        let grid = FitGrid::Radii(5).of(&model, Flank::Left);
+        ground(&model, Flank::Left, &TangentialSettings::default(), Measure::Ray).solve(&grid).map(|_| ())
+    };
+    let refused = solved(short).unwrap_err();
+    // The refusal names the depth that suffices for all places, -3.764 mm.
+    assert!(refused.way_out().contains("3.77 mm below its pitch circle"), "{}", refused.way_out());
+    assert_eq!(solved(TangentialInput { dresser_depth: Some(3.77), ..short }), Ok(()));
+    for depth in [0.0, -1.0, 10.0, f64::NAN] {
+        let error = solved(TangentialInput { dresser_depth: Some(depth), ..short }).unwrap_err();
+        assert!(error.is_bad_input() && error.to_string().contains("1.75 normal modules"), "{error}");
     }
 }
 

@@ -33,6 +33,7 @@ fn model() -> TangentialModel {
         worm_tip_radius: None,
         dresser_pitch_radius: 57.825,
         dresser_tip_radius: None,
+        dresser_depth: None,
         profile: ProfileKind::Conjugate,
         radii: [38.10325, 44.26575],
         faces: [-20.0, 20.0],
@@ -45,7 +46,7 @@ fn model() -> TangentialModel {
 }
 
 /// Largest differences of the rays from the exact contact, um: through a surface on 9 x 9 points, asking the dresser on 3 x 3.
-fn differences(model: &TangentialModel, flank: Flank, settings: &TangentialSettings) -> [f64; 2] {
+pub(crate) fn differences(model: &TangentialModel, flank: Flank, settings: &TangentialSettings) -> [f64; 2] {
     let ground = TangentialFlank::new(model, flank, &[flank], settings, Measure::Ray);
     let fine = FitGrid::Equidistant(9, 9).of(model, flank);
     let points = ground.solve(&fine).unwrap();

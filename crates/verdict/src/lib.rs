@@ -148,6 +148,13 @@ impl Verdict {
         self.owed.extend(other.owed);
     }
 
+    /// Another way out for what is missed first, once more is known of it.
+    pub fn advise(&mut self, way_out: impl Into<String>) {
+        if let Some(reason) = self.missed.first_mut() {
+            reason.way_out = way_out.into();
+        }
+    }
+
     /// Missed before not judged before met. Nothing judged is not judged.
     pub fn status(&self) -> Status {
         if !self.missed.is_empty() {

@@ -44,6 +44,19 @@ fn every_page_and_heading_that_is_cited_exists() {
     assert!(lost.is_empty(), "{} references to nothing:\n{}", lost.len(), lost.join("\n"));
 }
 
+/// A method that an example shows stands among the methods, and the page names no example that is gone.
+#[test]
+fn every_example_stands_among_the_methods() {
+    let page = read("docs/methods.md");
+    let named: BTreeSet<String> = page
+        .match_indices("(../examples/")
+        .filter_map(|(start, prefix)| page[start + prefix.len()..].split_once(')'))
+        .map(|(path, _)| format!("examples/{path}"))
+        .collect();
+    let present: BTreeSet<String> = files("examples", "toml").into_iter().collect();
+    assert_eq!(named, present);
+}
+
 /// Pages below `docs/` that a line names, with their headings: `docs/mathematics/dressing.md#conditions`.
 fn cited(line: &str) -> impl Iterator<Item = (&str, Option<&str>)> {
     line.match_indices("docs/").filter_map(|(start, _)| {

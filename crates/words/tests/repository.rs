@@ -60,6 +60,7 @@ pub fn pages() -> Vec<String> {
         "CONTRIBUTING.md",
         "CHANGELOG.md",
         "web/README.md",
+        "crates/electronic-gearbox/README.md",
         "crates/flankwright-py/README.md",
     ]
     .map(String::from)

@@ -622,6 +622,16 @@ export interface components {
        */
       teeth: number;
     };
+    /** @description Several axes of the machine that may be off at once. */
+    AxesTogether: {
+      /** @description The axes with what each would be off by, in the order in which they were found. */
+      axes: components["schemas"]["JointAxis"][];
+      /**
+       * Format: double
+       * @description Share of the squares of the measured lines that they explain together.
+       */
+      explains: number;
+    };
     /** @description The coordinate that a mirror reverses. */
     Axis: "z";
     /** @description The change that one axis makes. */
@@ -702,6 +712,28 @@ export interface components {
       /** @description Word in the text. */
       word: string;
     };
+    /** @description An axis of the machine that may be off. */
+    AxisResult2: {
+      /** @description Its name with the unit, as forward models have it. */
+      axis: string;
+      /**
+       * Format: double
+       * @description Share of the squares of the measured lines that it explains.
+       */
+      explains: number;
+      /** @description Axes that leave nearly the same. */
+      not_told_apart?: string[];
+      /**
+       * Format: double
+       * @description Its standard uncertainty.
+       */
+      uncertainty: number;
+      /**
+       * Format: double
+       * @description The deviation that explains the measurement best, in that unit.
+       */
+      value: number;
+    };
     /** @description How a trace lies in its band. */
     BandResult: {
       /**
@@ -762,6 +794,11 @@ export interface components {
        */
       measured_whole_um?: number | null;
       /**
+       * Format: double
+       * @description Errors of what is measured, at the flank; 0 without `[errors]`.
+       */
+      measuring_um: number;
+      /**
        * Format: uint32
        * @description P.
        */
@@ -798,6 +835,94 @@ export interface components {
        * @description Counting and rounding of the rotation, at the flank; absent if the coupling cannot be made.
        */
       rounding_um?: number | null;
+    };
+    /** @description The whole document. */
+    BevelInspectionResult: {
+      /**
+       * Format: double
+       * @description F_r: run-out of a ball in the spaces, across the pitch cone.
+       */
+      Fr_um?: number | null;
+      /** @description Whether the run may be used: met, or nothing was asked for. */
+      accepted: boolean;
+      /**
+       * Format: int32
+       * @description The worst of them; absent where a value is worse than class 11, or nothing was judged.
+       */
+      class: number | null;
+      /** @description Classes of ISO 17485:2006 that the values reach. */
+      classes: components["schemas"]["ClassResult"][];
+      /** @description The file that was read. */
+      files: string[];
+      /** @description Rows and columns of the grid. */
+      grid: number[];
+      /** @description Name of the file that was measured. */
+      job: string;
+      /** @description Pitches by flank, on the tolerance diameter. */
+      pitch: {
+        [key: string]: components["schemas"]["PitchInspectionResult"];
+      };
+      /** @description Where the pitch was measured; absent where not all teeth were. */
+      pitch_place?: components["schemas"]["BevelPitchPlace"] | null;
+      /** @description Process. */
+      process: string;
+      /** @description Why it is not met. */
+      reason?: components["schemas"]["Remark"] | null;
+      /**
+       * @description Comparison with the job, tests, correction, proof; one round. w is the length of roll in the middle of the face, z counts along the
+       *     pitch cone from there to the heel.
+       */
+      rounds: components["schemas"]["RoundResult"][];
+      /** @description What the status covers. */
+      scope: components["schemas"]["Scope"];
+      /** @description Whether the target is met. */
+      status: components["schemas"]["Status"];
+      /** @description Seconds per stage; the only part that differs between two runs. */
+      timing_s: {
+        [key: string]: number;
+      };
+      /**
+       * Format: int32
+       * @description The class of ISO 17485:2006 that was asked for.
+       */
+      tolerance_class?: number | null;
+      /**
+       * Format: double
+       * @description Tolerance of the job.
+       */
+      tolerance_um: number;
+      /** @description Version of flankwright. */
+      version: string;
+      /** @description Doubts of reading and evaluation. */
+      warnings: components["schemas"]["Remark"][];
+    };
+    /** @description The point of each tooth at which the pitch was measured, and what the tolerances depend on. */
+    BevelPitchPlace: {
+      /**
+       * Format: uint
+       * @description Column, from 1 at the toe.
+       */
+      column: number;
+      /**
+       * Format: double
+       * @description m_mn.
+       */
+      mean_normal_module_mm: number;
+      /**
+       * Format: double
+       * @description Its distance from the axis.
+       */
+      radius_mm: number;
+      /**
+       * Format: uint
+       * @description Row, from 1 at the root.
+       */
+      row: number;
+      /**
+       * Format: double
+       * @description d_T: the mean pitch diameter.
+       */
+      tolerance_diameter_mm: number;
     };
     /** @description What a blank has on its flanks in all, normal. */
     BlankStockResult: {
@@ -1040,7 +1165,7 @@ export interface components {
       lives: components["schemas"]["LifeCurve"][];
       /**
        * Format: uint
-       * @description Number of pairs that make the profile.
+       * @description Number of pairs that make the profile or, ranked by plans, the whole target.
        */
       ok: number;
       /** @description All pairs, the best first. */
@@ -1056,6 +1181,10 @@ export interface components {
       tolerance_um: number;
       /** @description Version of flankwright. */
       version: string;
+      /** @description The same at positions over the width; absent where pairs are ranked by their profile. */
+      wanted_over_width?: {
+        [key: string]: components["schemas"]["CrowningAt"][];
+      };
       /** @description Profile crowning that the target asks for from form to tip diameter, per flank, transverse. */
       wanted_profile_crowning_um: {
         [key: string]: number;
@@ -1065,6 +1194,13 @@ export interface components {
     };
     /** @description One pair of the ranking. Figures are absent where the worm cannot be dressed to the profile. */
     CataloguePair: {
+      /**
+       * @description Profile crownings that the pair can make by its dressing within the limits of the axes, by flank; absent where pairs are ranked by
+       *     their profile.
+       */
+      crowning_range?: {
+        [key: string]: components["schemas"]["PairRange"];
+      };
       /** @description Name of the dresser. */
       dresser: string;
       /** @description Figures per flank that is ground. */
@@ -1080,12 +1216,14 @@ export interface components {
       life: components["schemas"]["PairLife"] | null;
       /** @description Whether the pair makes the profile within all limits. */
       ok: boolean;
+      /** @description What a plan of the whole target leaves; absent where pairs are ranked by their profile, or this one was not planned. */
+      plan?: components["schemas"]["PairPlan"] | null;
       /**
        * Format: uint
        * @description Place in the ranking, from 1.
        */
       rank: number;
-      /** @description Why the pair does not make the profile, if so. */
+      /** @description Why the pair does not make the profile or, ranked by plans, the target, if so. */
       refused: components["schemas"]["Refused"] | null;
       /** @description Name of the worm. */
       worm: string;
@@ -1094,6 +1232,22 @@ export interface components {
        * @description Pitch diameter of the worm in its present state.
        */
       worm_pitch_diameter_mm: number | null;
+    };
+    /** @description A change of the job that was planned because its plan misses the target. */
+    ChangeResult: {
+      /** @description What the change costs. */
+      cost: string;
+      /**
+       * Format: double
+       * @description Largest deviation that is left, normal; null where no plan was found.
+       */
+      deviation_um: number | null;
+      /** @description Keys with their new values, as a job file has them: of one job, or of one for each flank. */
+      jobs: components["schemas"]["KeyChange"][][];
+      /** @description Why it is not met. */
+      reason?: string | null;
+      /** @description Whether the target is met with it by plan and simulation; null where no plan was found. */
+      status: components["schemas"]["Status"] | null;
     };
     /** @description The test of one characteristic. */
     CharacteristicResult: {
@@ -1445,6 +1599,80 @@ export interface components {
       /** @description In words. */
       statement: string;
     };
+    /** @description A program that finds the clocking angle. */
+    ClockingResult: {
+      /** @description Name of the axis that turns. */
+      axis: string;
+      /** @description Control. */
+      control: string;
+      /** @description Path below the directory of the run. */
+      file: string;
+      /**
+       * Format: double
+       * @description Their mean.
+       */
+      middle_deg: number;
+      /**
+       * Format: double
+       * @description How far what the text makes of them is off at most.
+       */
+      off_deg: number;
+      /** @description Where it touches both flanks of a workpiece whose clocking angle is right, as the control counts. */
+      touches_deg: [number, number];
+      /**
+       * Format: double
+       * @description Errors of the clocking angle, either way, that were tried on the text by the referee's rays.
+       */
+      tried_deg: number;
+    };
+    /** @description A multiplier on the motion. */
+    ComparedResult: {
+      /**
+       * Format: double
+       * @description Largest of the motion at the flank.
+       */
+      flank_um: number;
+      /** @description How it multiplies. */
+      multiplier: string;
+      /** @description The same at constant speed; absent without such a stretch. */
+      steady?: components["schemas"]["RangeUm"] | null;
+      /**
+       * Format: double
+       * @description Half the range at constant speed, at the flank: what a constant lag is not.
+       */
+      steady_flank_um?: number | null;
+      /** @description Shown position less slide, over the motion. */
+      whole: components["schemas"]["RangeUm"];
+    };
+    /** @description What is left of a condition of dressing over the dressed length of the worm. */
+    ConditionResult: {
+      /**
+       * @description What it names as coefficients of q^k over the width: share of the worm's profile, stretch in per cent, height in um, correction in
+       *     degrees or mm.
+       */
+      at: number[];
+      /** @description Flank of the worm that it stands on; null for a height of the head and a correction of one motion for both flanks. */
+      flank: components["schemas"]["Flank"] | null;
+      /** @description Its kind: "point", "map", "stretch", "head", "phi_S", "gamma", "d" or "v_y". */
+      kind: string;
+      /**
+       * Format: double
+       * @description Largest miss without sign.
+       */
+      largest_miss: number;
+      /**
+       * Format: double
+       * @description Root of the mean square of the misses over the width.
+       */
+      rms_miss: number;
+      /** @description Unit of both: "um", "percent" of the used profile, "deg" or "mm". */
+      unit: string;
+      /**
+       * Format: double
+       * @description Its weight; null for one that is met exactly.
+       */
+      weight: number | null;
+    };
     /** @description One flank of all teeth. */
     ControlFlankResult: {
       /**
@@ -1638,8 +1866,30 @@ export interface components {
        */
       total: number;
     };
-    /** @description Change of the machine's setting. */
+    /** @description Rotation that is added. */
     CorrectionResult: {
+      /** @description The axis that it depends on. */
+      axis: string;
+      /** @description Least and greatest over the motion, at the flank. */
+      flank: components["schemas"]["RangeUm"];
+      /**
+       * Format: double
+       * @description Greatest speed that it adds.
+       */
+      greatest_speed_deg_per_s: number;
+      /**
+       * Format: double
+       * @description Half a part of a workpiece pulse, to which it is rounded, at the flank.
+       */
+      rounding_um: number;
+      /**
+       * Format: double
+       * @description By how much the speed of the workpiece jumps at an end of the table, at the greatest speed of the feed.
+       */
+      speed_jump_deg_per_s: number;
+    };
+    /** @description Change of the machine's setting. */
+    CorrectionResult2: {
       /** @description Settings that ended at their limits. */
       at_limit: string[];
       /**
@@ -1670,7 +1920,7 @@ export interface components {
       tool_shift_um: number;
     };
     /** @description A correction and its proof. */
-    CorrectionResult2: {
+    CorrectionResult3: {
       /** @description Change of the machine's settings from the job to the corrected one. */
       machine: components["schemas"]["MachineChange"];
       /** @description Settings that the lines do not tell apart. */
@@ -1696,7 +1946,7 @@ export interface components {
        * @description What these settings cannot remove.
        */
       rms_unremovable_um: number;
-      /** @description Settings that are turned. */
+      /** @description Settings that are turned; none where the flank itself is corrected, as in milling. */
       settings: components["schemas"]["CorrectedSettingResult"][];
     };
     /** @description Cost of a part. */
@@ -1769,6 +2019,24 @@ export interface components {
        * @description What the rounding of the ratio in use costs over the feed, at the flank.
        */
       rotation_error_um_per_m: number;
+    };
+    /** @description The crowning at one position over the width. */
+    CrowningAt: {
+      /**
+       * Format: double
+       * @description Profile crowning that the plan makes there; absent where there is none.
+       */
+      made_um?: number | null;
+      /**
+       * Format: double
+       * @description Profile crowning that the target wants there.
+       */
+      wanted_um: number;
+      /**
+       * Format: double
+       * @description Position z of the gear.
+       */
+      z_mm: number;
     };
     /** @description The points of one set of bodies. */
     CrowningCurve: {
@@ -1985,6 +2253,40 @@ export interface components {
        * @description Tip diameter; default pitch diameter plus 2.5 normal modules.
        */
       tip_diameter?: number | null;
+    };
+    /** @description A flank ground with axes that are off; normal, um. */
+    DeviatedFlank: {
+      /** @description Change of the form against the flank without deviations, `[w][z]` on the grid of the result. */
+      change_um: number[][];
+      /** @description Characteristics of the flank. */
+      characteristics: components["schemas"]["CharacteristicsUm"];
+      /**
+       * Format: double
+       * @description Largest change of the form against the flank without deviations.
+       */
+      largest_change_um: number;
+      /**
+       * Format: double
+       * @description Largest deviation of the form from the target.
+       */
+      max_deviation_um: number;
+      /**
+       * Format: double
+       * @description Material left everywhere: what the thickness of the tooth changes by on this flank.
+       */
+      stock_um: number;
+      /**
+       * Format: double
+       * @description The same over the tolerance at its place; above 1 the target would be missed.
+       */
+      tolerance_share: number;
+    };
+    /** @description What the planned settings leave with the axes of `[deviations]` off, by the referee. */
+    DeviatedResult: {
+      /** @description Flanks that are ground. */
+      flanks: {
+        [key: string]: components["schemas"]["DeviatedFlank"];
+      };
     };
     /** @description The deviations of one set of bodies. */
     DeviationCurve: {
@@ -2305,6 +2607,124 @@ export interface components {
       /** @description The text of a job. */
       text: string;
     };
+    /** @description What the encoder of the workpiece leaves on the teeth. */
+    EncoderResult: {
+      /**
+       * Format: double
+       * @description Greatest difference of any two: cumulative pitch deviation.
+       */
+      cumulative_pitch_um: number;
+      /**
+       * Format: double
+       * @description Greatest error either way.
+       */
+      greatest_um: number;
+      /**
+       * Format: double
+       * @description Greatest difference of neighbours: single pitch deviation.
+       */
+      single_pitch_um: number;
+      /** @description Least and greatest error of a tooth space, normal to the flank. */
+      teeth: components["schemas"]["RangeUm"];
+    };
+    /** @description How the workpiece came into the gap. */
+    EngagementResult: {
+      /**
+       * Format: double
+       * @description How much of half its range it used; from 100 % on its way is not known.
+       */
+      counter_used_percent: number;
+      /**
+       * Format: uint64
+       * @description How often that counter wrapped.
+       */
+      counter_wraps: number;
+      /**
+       * Format: int64
+       * @description Greatest way of the counter of the worm in a cycle.
+       */
+      counts_a_cycle: number;
+      /**
+       * Format: double
+       * @description Time until it is in phase.
+       */
+      coupled_after_s: number;
+      /**
+       * Format: double
+       * @description Greatest acceleration of it.
+       */
+      greatest_acceleration_deg_per_s2: number;
+      /**
+       * Format: double
+       * @description Greatest speed of the workpiece.
+       */
+      greatest_speed_deg_per_s: number;
+      /**
+       * Format: double
+       * @description Speed of the worm up to which it is known.
+       */
+      greatest_worm_speed_rpm: number;
+      /** @description Workpiece less gap while coupled, at the flank: counts of the worm. */
+      miss: components["schemas"]["RangeUm"];
+      /**
+       * Format: double
+       * @description Move into the gap.
+       */
+      phase_move_deg: number;
+      /**
+       * Format: double
+       * @description Time until it runs along.
+       */
+      ramp_s: number;
+      /**
+       * Format: double
+       * @description Way that it went meanwhile.
+       */
+      ramp_way_deg: number;
+    };
+    /** @description Engagement of the cutter that clears a space, as its layers and passes lie. */
+    EngagementResult2: {
+      /**
+       * Format: double
+       * @description Arc of the circumference that is engaged with that width.
+       */
+      arc_deg: number;
+      /**
+       * Format: double
+       * @description Greatest thickness of their chips; absent where the job does not tell the number of edges.
+       */
+      chip_thickness_mm?: number | null;
+      /**
+       * Format: double
+       * @description Greatest depth of a layer.
+       */
+      depth_mm: number;
+      /**
+       * Format: uint
+       * @description Passes that cut with the whole diameter somewhere.
+       */
+      full_width_passes: number;
+      /**
+       * Format: double
+       * @description Material removed with the whole diameter.
+       */
+      full_width_removal_cm3_per_min: number;
+      /**
+       * Format: uint
+       * @description Layers.
+       */
+      layers: number;
+      /**
+       * Format: double
+       * @description Material removed with that width.
+       */
+      removal_cm3_per_min: number;
+      /**
+       * Format: double
+       * @description Greatest width of the others, from the pass before.
+       */
+      width_mm: number;
+    };
     /** @description A number of the worm with which one diagonal ratio serves the directed parts of both flanks. */
     EqualRatioOffer: {
       /**
@@ -2462,6 +2882,24 @@ export interface components {
        * @description Error that is wanted at most.
        */
       wanted_um: number;
+    };
+    /** @description What a combination makes of one flank. */
+    ExploredFlank: {
+      /**
+       * Format: double
+       * @description Least determinant ratio: 1 unmodified, 0 where the envelope folds.
+       */
+      least_determinant_ratio: number;
+      /**
+       * Format: double
+       * @description Largest |target - planned| on the grid of the result, normal.
+       */
+      max_deviation_um: number;
+      /**
+       * Format: double
+       * @description Largest modification of the worm where it touches the gear, normal.
+       */
+      worm_modification_um: number;
     };
     /** @description Why a request has no result. */
     Failure: {
@@ -3068,8 +3506,16 @@ export interface components {
       angle?: components["schemas"]["AngleResult"] | null;
       /** @description Error budget at the greatest speed of the motion; absent for a train of pulses. */
       budget?: components["schemas"]["BudgetResult"] | null;
+      /** @description The interpolator and older multipliers on the same motion; empty without `[compare]`. */
+      compare?: components["schemas"]["ComparedResult"][];
+      /** @description Rotation that is added, in the order of the job. */
+      corrections?: components["schemas"]["CorrectionResult"][];
       /** @description What the lead asks for and what the coupling makes of it. */
       coupling: components["schemas"]["CouplingResult"];
+      /** @description How the workpiece comes into the gap; absent without `[engagement]`. */
+      engagement?: components["schemas"]["EngagementResult"] | null;
+      /** @description What is measured wrongly; absent without `[errors]`. */
+      errors?: components["schemas"]["MeasuringResult"] | null;
       /** @description Set-ups to choose from; absent without `[explore]`. */
       explore?: components["schemas"]["ExploreResult"] | null;
       /** @description Name of the job. */
@@ -3086,6 +3532,8 @@ export interface components {
       servo?: components["schemas"]["ServoResult"] | null;
       /** @description Settings, as given or by default. */
       settings: components["schemas"]["GearboxSettingsResult"];
+      /** @description Whole pulses and voltage; absent without `[split]`. */
+      split?: components["schemas"]["SplitResult"] | null;
       /** @description Whether the target is met. */
       status: components["schemas"]["Status"];
       /** @description Seconds per stage; the only part that differs between two runs. */
@@ -3164,6 +3612,16 @@ export interface components {
       kept?: components["schemas"]["MeasurementReport"] | null;
       /** @description What was uploaded beside measurements. */
       left_out?: components["schemas"]["LeftOutFile"][];
+    };
+    /** @description A value of a rotary axis. */
+    HeldAngle: {
+      /** @description Name of the axis. */
+      axis: string;
+      /**
+       * Format: double
+       * @description Its value as the control counts.
+       */
+      value_deg: number;
     };
     /** @description One measurement of a tool. */
     HistoryRecord: {
@@ -3336,8 +3794,12 @@ export interface components {
     JobResult: {
       /** @description Whether the run may be used: met, or nothing was asked for. */
       accepted: boolean;
+      /** @description Changes of the job that were planned because its flank is missed, in order; the last one meets the target if one does. */
+      changes?: components["schemas"]["ChangeResult"][];
       /** @description What gearbox and servo leave; absent unless the job describes its control. */
       control?: components["schemas"]["ControlResult"] | null;
+      /** @description What the settings leave with axes that are off; absent without `[deviations]`. */
+      deviated?: components["schemas"]["DeviatedResult"] | null;
       /** @description Tooth thickness and class of the drawing, which nothing here judges. */
       drawing: components["schemas"]["DrawingResult"];
       /** @description Flanks that are ground. */
@@ -3352,6 +3814,8 @@ export interface components {
       job: string;
       /** @description How near any flank could come; absent unless a plan misses its target and best fits know its bodies. */
       least_deviation?: components["schemas"]["LeastDeviationResult"] | null;
+      /** @description What a measured worm says of the dressing axes; absent without `[measured_worm]`. */
+      measured_worm?: components["schemas"]["MeasuredWormResult"] | null;
       /** @description Process. */
       process: string;
       /** @description NC programs with their proof; absent without a machine. */
@@ -3379,6 +3843,25 @@ export interface components {
       version: string;
       /** @description Warnings. */
       warnings: components["schemas"]["Remark"][];
+      /** @description The worm as wanted and as dressed, per flank; absent unless the job wants a worm topography. */
+      worm?: {
+        [key: string]: components["schemas"]["WormFlankResult"];
+      };
+    };
+    /** @description One of several axes that may be off at once. */
+    JointAxis: {
+      /** @description Its name with the unit, as forward models have it. */
+      axis: string;
+      /**
+       * Format: double
+       * @description Its standard uncertainty beside the others.
+       */
+      uncertainty: number;
+      /**
+       * Format: double
+       * @description Its deviation in that unit.
+       */
+      value: number;
     };
     /** @description An item that was judged. */
     JudgedItem: {
@@ -3388,6 +3871,13 @@ export interface components {
       item: string;
       /** @description [`Status::Met`] or [`Status::Missed`]. */
       status: components["schemas"]["Status"];
+    };
+    /** @description A key with its new value. */
+    KeyChange: {
+      /** @description The key, from the root of the job. */
+      key: string;
+      /** @description Its value as TOML has it. */
+      value: string;
     };
     /** @description A part that was there already. */
     KnownPart: {
@@ -3445,6 +3935,19 @@ export interface components {
       file: string;
       /** @description Why. */
       reason: string;
+    };
+    /** @description Numbers behind H and D. */
+    LengthNumbers: {
+      /**
+       * Format: uint32
+       * @description Behind D.
+       */
+      d: number;
+      /**
+       * Format: uint32
+       * @description Behind H.
+       */
+      h: number;
     };
     /** @description The whole life of a worm with a dresser. */
     LifeCurve: {
@@ -3639,7 +4142,10 @@ export interface components {
     ListedRun: components["schemas"]["RunSummary"] & {
       progress?: null | components["schemas"]["Advance"];
     };
-    /** @description What changes on the machine: coefficients over the feed and largest changes of the dressing axes. */
+    /**
+     * @description What changes on the machine: coefficients over the feed and largest changes of the dressing axes; nothing where the flank itself is
+     *     corrected.
+     */
     MachineChange: {
       /** @description Change of Delta_d over z_V2, um/mm^k. */
       delta_d_um: number[];
@@ -3666,15 +4172,43 @@ export interface components {
       /** @description X and Y of its axis, Z of its lower face. */
       place_mm: [number, number, number];
     };
+    /**
+     * @description A way of a mandrel on which the recorder takes down where the axes stand when the beam switches. Places: X and Y of its axis, Z of its
+     *     lower face.
+     */
+    MandrelWayResult: {
+      /** @description Axis along which it moves. */
+      along: string;
+      /** @description Where it begins. */
+      from_mm: [number, number, number];
+      /**
+       * Format: double
+       * @description Turn of the spindle.
+       */
+      spindle_deg: number;
+      /** @description Where the given beam switches. */
+      switches_mm: [number, number, number][];
+      /** @description Where it ends. */
+      to_mm: [number, number, number];
+    };
     /** @description Contact on one flank of the gear, without load. */
     MateFlankResult: {
       /** @description Pattern that both ease-offs say. */
       ease_off?: components["schemas"]["PatternResult"] | null;
+      /** @description Pattern of the flank as it is milled, with its scallops and chords; absent if nothing is marked or predicted. */
+      milled?: components["schemas"]["PatternResult"] | null;
       /**
        * Format: double
        * @description Common area of both patterns over the area that either covers.
        */
       overlap_percent: number;
+      /** @description Its separate parts, the largest first; one where the pattern hangs together. */
+      parts: components["schemas"]["PatternResult"][];
+      /**
+       * Format: uint
+       * @description Places of the milled flank of which nothing is predicted, so that they are not rolled.
+       */
+      places_not_predicted: number;
       /** @description Pattern that rolling leaves; absent if nothing is marked. */
       rolled?: components["schemas"]["PatternResult"] | null;
       /**
@@ -3689,12 +4223,32 @@ export interface components {
       transmission_error_ease_off_um: number;
       /**
        * Format: double
+       * @description Peak to peak of the flank as it is milled, as turn of the mate.
+       */
+      transmission_error_milled_arcsec?: number | null;
+      /**
+       * Format: double
+       * @description The same at the mate's mean pitch radius.
+       */
+      transmission_error_milled_um?: number | null;
+      /**
+       * Format: double
        * @description The same at the mate's mean pitch radius.
        */
       transmission_error_um: number;
     };
-    /** @description A bevel gear rolled against its conjugate mate, both with the flanks that are wanted. */
+    /** @description A gear rolled against its mate, both with the flanks that are wanted, and the flanks of the gear as they are milled. */
     MateResult: {
+      /**
+       * Format: double
+       * @description Circumferential backlash of nominal cylindrical gears at the working pitch circle.
+       */
+      backlash_um?: number | null;
+      /**
+       * Format: double
+       * @description Centre distance of cylindrical gears.
+       */
+      centre_distance_mm?: number | null;
       /** @description Flanks that are milled. */
       flanks: {
         [key: string]: components["schemas"]["MateFlankResult"];
@@ -3706,19 +4260,19 @@ export interface components {
       marking_um: number;
       /**
        * Format: double
-       * @description Radius of its pitch cone in the middle of the face; transmission errors in um are ways there.
+       * @description Radius of its pitch cone in the middle of the face, or of its working pitch circle; transmission errors in um are ways there.
        */
       mean_pitch_radius_mm: number;
       /**
        * Format: double
-       * @description Its pitch cone angle.
+       * @description Pitch cone angle of a bevel gear.
        */
-      pitch_cone_angle_deg: number;
+      pitch_cone_angle_deg?: number | null;
       /**
        * Format: double
-       * @description Angle between both axes.
+       * @description Angle between the axes of bevel gears.
        */
-      shaft_angle_deg: number;
+      shaft_angle_deg?: number | null;
       /** @description Where the milled flank begins and where the mate needs it to. */
       start_of_flank: components["schemas"]["MateStartResult"];
       /**
@@ -3727,13 +4281,18 @@ export interface components {
        */
       teeth: number;
     };
-    /** @description Polar angles of the flank, degrees. */
+    /** @description Where a flank begins: polar angles of a bevel gear in degrees, or diameters. */
     MateStartResult: {
       /**
        * Format: double
        * @description Where the flank that is milled begins.
        */
-      active_deg: number;
+      active_deg?: number | null;
+      /**
+       * Format: double
+       * @description Where the flank of a cylindrical gear begins.
+       */
+      active_diameter_mm?: number | null;
       /** @description Whether all that the mate needs is milled. */
       covered: boolean;
       /**
@@ -3741,6 +4300,11 @@ export interface components {
        * @description Where the tip of the mate engages; absent where it reaches below the base cone.
        */
       needed_deg?: number | null;
+      /**
+       * Format: double
+       * @description Where the tip of the mate engages; absent where it reaches below the base circle.
+       */
+      needed_diameter_mm?: number | null;
     };
     /** @description A value of one characteristic on a part. */
     MeasuredCharacteristic: {
@@ -3829,6 +4393,31 @@ export interface components {
       /** @description Heights. */
       z_mm: number[];
     };
+    /** @description What a measured worm says of the dressing axes. */
+    MeasuredWormResult: {
+      /** @description The axes with what each would be off by, under the names that `deviations.dressing` has. */
+      axes: components["schemas"]["WormAxis"][];
+      /**
+       * Format: uint
+       * @description Measured points that the planned motion dresses.
+       */
+      points: number;
+      /**
+       * Format: uint
+       * @description Points beside the dressed area, which are not used.
+       */
+      points_left_out: number;
+      /**
+       * Format: double
+       * @description The same less what the deviations explain.
+       */
+      rms_left_um: number;
+      /**
+       * Format: double
+       * @description Root of the mean square of measured less planned, each flank about its mean unless the thickness is known.
+       */
+      rms_um: number;
+    };
     /** @description What became of the files. */
     MeasurementReport: {
       /**
@@ -3858,7 +4447,7 @@ export interface components {
        */
       clocking_deg: number;
       /** @description Correction of the setting. */
-      correction: components["schemas"]["CorrectionResult"];
+      correction: components["schemas"]["CorrectionResult2"];
       /** @description f: deviations normal to the flank, [track][tooth], > 0 = material beyond the nominal edge; null where a tooth did not switch. */
       deviation_um: {
         [key: string]: (number | null)[][];
@@ -3910,6 +4499,33 @@ export interface components {
        */
       part?: string | null;
     };
+    /** @description A part of the errors of what is measured. */
+    MeasuringPart: {
+      /**
+       * Format: double
+       * @description Along the feed, against the place where the motion begins; absent for the encoder.
+       */
+      along_feed_um?: number | null;
+      /**
+       * Format: double
+       * @description At the flank.
+       */
+      flank_um: number;
+      /** @description What it is. */
+      name: string;
+    };
+    /** @description Errors of scale, ball screw and encoder, each as far as it can be off over the motion. */
+    MeasuringResult: {
+      /** @description What the encoder leaves on the teeth; absent without `errors.encoder`. */
+      encoder?: components["schemas"]["EncoderResult"] | null;
+      /** @description Part by part. */
+      parts: components["schemas"]["MeasuringPart"][];
+      /**
+       * Format: double
+       * @description Their sum at the flank.
+       */
+      sum_flank_um: number;
+    };
     /** @description A method beside others. */
     MethodResult: {
       /** @description Whether it settled. */
@@ -3943,6 +4559,8 @@ export interface components {
     MillingResult: {
       /** @description Whether the run may be used: met, or nothing was asked for. */
       accepted: boolean;
+      /** @description Programs that find the clocking angle of a part whose teeth are cut already, proven by the referee's rays; empty without a probe. */
+      clocking_programs?: components["schemas"]["ClockingResult"][];
       /** @description The cutter of the flanks. */
       cutter: components["schemas"]["CutterResult"];
       /** @description Tooth thickness and class of the drawing, which nothing here judges; absent of bevel gears and blades. */
@@ -3976,6 +4594,10 @@ export interface components {
       spaces: number[];
       /** @description Whether the target is met. */
       status: components["schemas"]["Status"];
+      /** @description Stock on them before they are finished: what roughing leaves, or the allowance of a pre-cut part; absent where neither is known. */
+      stock?: {
+        [key: string]: components["schemas"]["StockResult2"];
+      };
       /** @description Seconds per stage; the only part that differs between two runs. */
       timing_s: {
         [key: string]: number;
@@ -3985,10 +4607,14 @@ export interface components {
        * @description Tolerance of the job.
        */
       tolerance_um: number;
+      /** @description Tools by their first use. */
+      tools: components["schemas"]["ToolResult"][];
       /** @description Version of flankwright. */
       version: string;
       /** @description Warnings. */
       warnings: components["schemas"]["Remark"][];
+      /** @description What the control has to hold as work offset; absent where programs count from the origins of machine and table. */
+      work_offset?: components["schemas"]["WorkOffsetResult"] | null;
     };
     /** @description A switch that is not there. */
     MissingResult: {
@@ -4533,6 +5159,23 @@ export interface components {
           z_mm?: number[];
         }
       | {
+          /** @description A CSV file with the columns w_mm and f_um, instead of the list. */
+          file?: string | null;
+          /** @description The flanks to which it applies. */
+          flank?: components["schemas"]["FlankChoice"];
+          /** @constant */
+          kind: "profile_trace";
+          /**
+           * Format: double
+           * @description Standard deviation of a point, um; without it the scatter about the curve tells it.
+           */
+          noise_um?: number | null;
+          /** @description Points [w mm, f um] that cover the evaluation range, at least 8. */
+          points?: [number, number][];
+          /** @description Always transverse: this kind has no `amount_*` to be divided. */
+          reference?: components["schemas"]["Reference"];
+        }
+      | {
           /**
            * @description f in um, of w, z (mm), u, v (from -1 to 1 over the field), w_f, w_a, z_I, z_II (its borders, mm), pi; with + - * / ^,
            *     parentheses, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, ln, log10, sqrt, abs, min, max.
@@ -4642,6 +5285,8 @@ export interface components {
     };
     /** @description One operation in one space. */
     OperationResult: {
+      /** @description How the cutter is engaged while it clears the space in layers; absent of other operations and of a single layer. */
+      engagement?: components["schemas"]["EngagementResult2"] | null;
       /**
        * Format: double
        * @description Feed of the contact for each cutting edge; absent where the job does not tell their number.
@@ -4770,6 +5415,57 @@ export interface components {
        * @description Smallest pitch diameter at which the target is still made.
        */
       to_mm: number;
+    };
+    /** @description What a plan of the whole target with a pair leaves. */
+    PairPlan: {
+      /** @description Profile crowning over the width, wanted and made, by flank. */
+      crowning: {
+        [key: string]: components["schemas"]["CrowningAt"][];
+      };
+      /**
+       * Format: double
+       * @description Largest deviation from the target by the referee, normal, of the flank that has more.
+       */
+      deviation_um: number;
+      /**
+       * Format: double
+       * @description Diagonal ratio.
+       */
+      diagonal_ratio: number;
+      /**
+       * Format: double
+       * @description max |DK_j/limit_j| over the dressing stroke, of the flank that has more.
+       */
+      largest_share_of_limit: number;
+      /** @description Why it is not met. */
+      reason?: components["schemas"]["Remark"] | null;
+      /** @description Whether the target is met. */
+      status: components["schemas"]["Status"];
+      /**
+       * Format: double
+       * @description Largest deviation over the tolerance at its place.
+       */
+      tolerance_share: number;
+      /**
+       * Format: double
+       * @description Length of the worm that is used.
+       */
+      used_width_mm: number;
+    };
+    /** @description Crownings of a flank that a pair can make within the limits of the axes, whatever the target wants. */
+    PairRange: {
+      /**
+       * Format: double
+       * @description The largest one.
+       */
+      largest_um: number;
+      /**
+       * Format: double
+       * @description The least one.
+       */
+      least_um: number;
+      /** @description Whether the least and the largest crowning that the target wants over the width lie within. */
+      serves_the_width: boolean;
     };
     /** @description What a text was proven for. */
     PartProof: {
@@ -5230,6 +5926,59 @@ export interface components {
        * @description As printed.
        */
       printed_um: number;
+    };
+    /** @description The machined workpiece under a probe in the tool spindle. */
+    ProbeResult: {
+      /** @description Change of the setting beside the one that the tool asked for. */
+      correction: components["schemas"]["CorrectionResult2"];
+      /** @description Profiles, by flank. */
+      flanks: {
+        [key: string]: components["schemas"]["ProbedFlankResult"];
+      };
+      /**
+       * Format: double
+       * @description Greatest difference between what the change promises and what it does under the referee, without the noise of the probe.
+       */
+      model_difference_um?: number | null;
+      /** @description Whether the measurement is simulated; else its values were read. */
+      simulated: boolean;
+    };
+    /** @description Profiles of one flank. */
+    ProbedFlankResult: {
+      /**
+       * Format: double
+       * @description The same as the correction leaves it.
+       */
+      corrected_largest_um: number;
+      /**
+       * Format: double
+       * @description The same under the referee; absent for a real workpiece.
+       */
+      corrected_simulated_um?: number | null;
+      /** @description Of every tooth space: length of roll, deviation from the target, and what the correction leaves of it, mm and um. */
+      gaps: {
+        [key: string]: [number, number, number][];
+      };
+      /**
+       * Format: double
+       * @description Largest deviation from the target.
+       */
+      largest_um: number;
+    };
+    /** @description A profile of the workpiece that a probe scans. */
+    ProbedProfileResult: {
+      /** @description Flank. */
+      flank: string;
+      /**
+       * Format: uint
+       * @description Tooth space, from 0.
+       */
+      gap: number;
+      /**
+       * Format: uint
+       * @description Places of the scan.
+       */
+      places: number;
     };
     /** @description A process. */
     ProcessSummary: {
@@ -5819,10 +6568,12 @@ export interface components {
       | components["schemas"]["DressingStudyOutcome"]
       | components["schemas"]["WormLifeOutcome"]
       | components["schemas"]["TangentialResult"]
+      | components["schemas"]["TangentialExploration"]
       | components["schemas"]["GearboxResult"]
       | components["schemas"]["MillingResult"]
       | components["schemas"]["SkivingResult"]
       | components["schemas"]["GearInspectionResult"]
+      | components["schemas"]["BevelInspectionResult"]
       | components["schemas"]["InspectionSeriesResult"]
       | components["schemas"]["BlankStockResult"];
     /** @description A part of the root under rays on its drawn section; > 0 stock, null where no ray is met. */
@@ -5914,10 +6665,18 @@ export interface components {
     RotationRate: "exact" | "bresenham" | "binary";
     /** @description One round of measuring and correcting. */
     RoundResult: {
+      /** @description Axes of the machine that would explain the measurement, each by itself, the one that explains most first. */
+      axes?: components["schemas"]["AxisResult2"][];
+      /** @description Axes that could not be asked, with the reason. */
+      axes_not_asked?: {
+        [key: string]: string;
+      };
+      /** @description Axes that explain the measurement together, where several explain clearly more than the best of them alone. */
+      axes_together?: components["schemas"]["AxesTogether"] | null;
       /** @description Which part of every characteristic the teeth share. */
       characteristics: components["schemas"]["CharacteristicResult"][];
       /** @description The correction; absent where nothing is worth one. */
-      correction?: components["schemas"]["CorrectionResult2"] | null;
+      correction?: components["schemas"]["CorrectionResult3"] | null;
       /** @description Target, process and measurement on the grid, by flank. */
       flanks: {
         [key: string]: components["schemas"]["MeasuredFlankResult"];
@@ -6033,6 +6792,35 @@ export interface components {
       state: components["schemas"]["RunState"];
       /** @description The verdict of its document. */
       status?: components["schemas"]["Status"] | null;
+    };
+    /**
+     * @description A law over the turn of the tool that answers its run-out, by cosine and sine of each order of phi_1, which is 0 where tooth 0 stands
+     *     on the common normal.
+     */
+    RunoutResult: {
+      /**
+       * Format: double
+       * @description Greatest change of the centre distance.
+       */
+      centre_distance_amplitude_um: number;
+      /** @description Added to the centre distance; empty where it stays. */
+      centre_distance_um: [number, number][];
+      /**
+       * Format: double
+       * @description Greatest difference between prediction and referee of any tooth with law and correction, without the noise of readings.
+       */
+      model_difference_um: number;
+      /** @description The same under the referee. */
+      simulated_spread_um: [number, number];
+      /** @description Greatest range of what the teeth leave on a track, without and with the law, as predicted. */
+      spread_um: [number, number];
+      /**
+       * Format: double
+       * @description Greatest change of the workpiece's angle.
+       */
+      work_angle_amplitude_deg: number;
+      /** @description Added to the angle of the workpiece; empty where the coupling stays. */
+      work_angle_deg: [number, number][];
     };
     /** @description A place of a scan. */
     ScanPlaceResult: {
@@ -6435,6 +7223,11 @@ export interface components {
        */
       greatest_speed_mm_per_min: number;
       /**
+       * Format: double
+       * @description Errors of what is measured, at the flank; 0 without `[errors]`.
+       */
+      measuring_um: number;
+      /**
        * Format: uint32
        * @description P.
        */
@@ -6552,6 +7345,8 @@ export interface components {
        * @description Nominal centre distance of dresser and worm; absent for a tool that is not dressed.
        */
       dressing_centre_distance_mm?: number | null;
+      /** @description Conditions of dressing with what the motion leaves of them; absent where all of them are met exactly. */
+      dressing_conditions?: components["schemas"]["ConditionResult"][];
       /**
        * Format: double
        * @description Nominal crossing angle of dresser and worm.
@@ -6640,9 +7435,13 @@ export interface components {
       left?: components["schemas"]["FlankValues"] | null;
       /**
        * Format: double
-       * @description kappa_0; absent for a spur gear.
+       * @description kappa_0; absent for a spur gear, and where the flanks have different ones.
        */
       neutral_shift_ratio?: number | null;
+      /** @description kappa_0 of each flank where they differ. */
+      neutral_shift_ratio_by_flank?: {
+        [key: string]: number;
+      };
       /** @description The right flank. */
       right?: components["schemas"]["FlankValues"] | null;
       /**
@@ -6834,12 +7633,16 @@ export interface components {
       measuring_time_s: number;
       /** @description How results scatter. */
       monte_carlo?: components["schemas"]["MonteCarloResult"] | null;
+      /** @description The machined workpiece under a probe. */
+      probe?: components["schemas"]["ProbeResult"] | null;
       /** @description Process. */
       process: string;
       /** @description Measuring programs and what was proven of them. */
       programs?: components["schemas"]["ToolProgramResult"][];
       /** @description Why it is not met. */
       reason?: components["schemas"]["Remark"] | null;
+      /** @description The run-out of the tool answered by a law over its turn. */
+      runout?: components["schemas"]["RunoutResult"] | null;
       /** @description The scan of a stylus. */
       scan?: components["schemas"]["ScanResult"] | null;
       /** @description What the status covers. */
@@ -6880,7 +7683,7 @@ export interface components {
       crossed_axes_angle_deg: number;
       /**
        * Format: double
-       * @description Sense in which the tool must turn to cut, +1 or -1.
+       * @description Sense in which the tool must turn to cut, +1 or -1; of a shaping cutter the sense of its stroke along its own axis.
        */
       cutting_sense: number;
       /**
@@ -6919,6 +7722,48 @@ export interface components {
        */
       intervals: number;
     };
+    /** @description The rotation as whole pulses and a voltage. */
+    SplitResult: {
+      /**
+       * Format: uint64
+       * @description The same backward.
+       */
+      backward_pulses: number;
+      /** @description Voltage less part over the run, at the flank. */
+      error: components["schemas"]["RangeUm"];
+      /**
+       * Format: uint64
+       * @description Whole workpiece pulses that went out forward.
+       */
+      forward_pulses: number;
+      /** @description Limits of it over all parts. */
+      limits: components["schemas"]["RangeUm"];
+      /**
+       * Format: uint32
+       * @description Parts 1/P at the end.
+       */
+      part: number;
+      /**
+       * Format: double
+       * @description What reading pulses and voltage at different instants costs at most: a whole workpiece pulse.
+       */
+      read_apart_um: number;
+      /**
+       * Format: double
+       * @description One part at the flank.
+       */
+      step_um: number;
+      /**
+       * Format: double
+       * @description Their voltage.
+       */
+      voltage_v: number;
+      /**
+       * Format: int64
+       * @description Whole workpiece pulses at the end, rounded down.
+       */
+      whole_pulses: number;
+    };
     /** @description A motion from its first to its last frame. */
     Stage: {
       /** @description What the frames are counted by. */
@@ -6945,6 +7790,21 @@ export interface components {
        * @description All of it.
        */
       volume_mm3: number;
+    };
+    /** @description The same in `result.json`. */
+    StockResult2: {
+      /** @description Least and greatest stock. */
+      before_mm: [number, number];
+      /**
+       * Format: uint
+       * @description Rays.
+       */
+      rays: number;
+      /**
+       * Format: uint
+       * @description Rays at which nothing has cut before.
+       */
+      uncut: number;
     };
     /** @description A profile dressed in strokes. */
     StrokeCurve: {
@@ -7197,6 +8057,82 @@ export interface components {
        */
       teeth: number;
     };
+    /** @description One combination. Figures are absent where it cannot be made. */
+    TangentialCandidate: {
+      /**
+       * Format: double
+       * @description Tip diameter of the dresser.
+       */
+      dresser_tip_diameter_mm: number;
+      /** @description Figures per flank that is ground. */
+      flanks: {
+        [key: string]: components["schemas"]["ExploredFlank"];
+      };
+      /**
+       * Format: double
+       * @description Largest deviation of all flanks.
+       */
+      max_deviation_um: number | null;
+      /** @description Whether all flanks are within the tolerance. */
+      met: boolean;
+      /**
+       * Format: uint
+       * @description Place in the ranking, from 1.
+       */
+      rank: number;
+      /** @description Why it cannot be made, if so. */
+      refused: components["schemas"]["Refused"] | null;
+      /**
+       * Format: double
+       * @description Tool shift per feed; absent where the bodies do not stand and the job names a rule.
+       */
+      shift_ratio: number | null;
+      /**
+       * Format: uint
+       * @description Variables that the plan uses in all passes.
+       */
+      variables: number | null;
+      /**
+       * Format: double
+       * @description Worm length needed if the worm is dressed again before every pass.
+       */
+      worm_length_mm: number | null;
+      /**
+       * Format: uint32
+       * @description Threads of the worm.
+       */
+      worm_threads: number;
+      /**
+       * Format: double
+       * @description Tip diameter of the worm; absent where the bodies of the job do not stand and it gives none.
+       */
+      worm_tip_diameter_mm: number | null;
+    };
+    /** @description What a study found: the document of `explore.json`. */
+    TangentialExploration: {
+      /** @description All combinations, the best first. */
+      candidates: components["schemas"]["TangentialCandidate"][];
+      /** @description Name of the job. */
+      job: string;
+      /**
+       * Format: uint
+       * @description Number of candidates within the tolerance.
+       */
+      met: number;
+      /** @description Process. */
+      process: string;
+      /** @description How the candidates are ranked. */
+      ranking: string;
+      /**
+       * Format: double
+       * @description Tolerance of the job.
+       */
+      tolerance_um: number;
+      /** @description What varies: `shift_ratio`, `worm_tip_diameter`, `dresser_tip_diameter`, `worm_threads`. */
+      varied: string[];
+      /** @description Version of flankwright. */
+      version: string;
+    };
     /** @description One flank. */
     TangentialFlankResult: {
       /** @description x_D at which the evaluated flank is dressed. */
@@ -7439,7 +8375,7 @@ export interface components {
     ToolProgramResult: {
       /**
        * Format: double
-       * @description Of a scan: what straight blocks leave between its places.
+       * @description Of a scan: what straight blocks leave between its places; of a stroke: beside its law.
        */
       between_places_um?: number | null;
       /**
@@ -7456,6 +8392,15 @@ export interface components {
       duration_s: number;
       /** @description Path below the directory of the run. */
       file: string;
+      /**
+       * Format: double
+       * @description Of a stroke: greatest difference between the flank of the text under the referee and the planned one.
+       */
+      flank_difference_um?: number | null;
+      /** @description Ways of a mandrel in the light barrier, in the order of the program. */
+      mandrel_ways?: components["schemas"]["MandrelWayResult"][];
+      /** @description Profiles of the workpiece that a probe scans, in the order of the program. */
+      profiles?: components["schemas"]["ProbedProfileResult"][];
       /**
        * Format: double
        * @description What rounding explains of both.
@@ -7480,6 +8425,47 @@ export interface components {
       rounding_um: number;
       /** @description What is scanned by a stylus, in the order of the program. */
       scans?: components["schemas"]["ScanResult2"][];
+    };
+    /** @description A tool of the machine's store. */
+    ToolResult: {
+      /** @description Coolant: "off", "flood", "mist", "flood-and-mist". */
+      coolant: string;
+      /** @description Its cutting part. */
+      cutter: components["schemas"]["CutterResult"];
+      /**
+       * Format: double
+       * @description Greatest feed of its operations.
+       */
+      feed_mm_per_min: number;
+      /**
+       * Format: double
+       * @description From the nose of the spindle to its tip; absent without a machine.
+       */
+      length_mm?: number | null;
+      /** @description Numbers of its length on controls that have it: H of LinuxCNC and Fanuc, D of Siemens. */
+      length_offset: components["schemas"]["LengthNumbers"];
+      /**
+       * Format: uint32
+       * @description Its number.
+       */
+      number: number;
+      /** @description What it does, in the order of cutting. */
+      operations: string[];
+      /**
+       * Format: double
+       * @description Feed towards its paths.
+       */
+      plunge_feed_mm_per_min: number;
+      /**
+       * Format: double
+       * @description Speed of the spindle.
+       */
+      spindle_rpm: number;
+      /**
+       * Format: uint32
+       * @description Cutting edges; absent where the job does not tell.
+       */
+      teeth?: number | null;
     };
     /** @description A skiving tool and how often it was measured. */
     ToolSummary: {
@@ -7791,6 +8777,33 @@ export interface components {
        */
       depth_mm: number;
     };
+    /** @description What the control has to hold as work offset. */
+    WorkOffsetResult: {
+      /** @description The clocking angle of the workpiece, where the control holds it. */
+      clocking?: components["schemas"]["HeldAngle"] | null;
+      /**
+       * Format: uint16
+       * @description Its number: 1 is G54.
+       */
+      number: number;
+      /** @description Values of X, Y and Z. */
+      position_mm: [number, number, number];
+    };
+    /** @description An axis of dressing that would be off. */
+    WormAxis: {
+      /** @description "d_phi_S_deg", "d_gamma_deg", "d_d_mm" or "d_v_yA_mm". */
+      axis: string;
+      /**
+       * Format: double
+       * @description Its standard uncertainty: from the noise, or from what is left where that is more; 0 for an axis that is taken to stand right.
+       */
+      uncertainty: number;
+      /**
+       * Format: double
+       * @description Its deviation in the unit of the name.
+       */
+      value: number;
+    };
     /** @description The dresser on worms of one number of threads, or whatever else is compared. */
     WormCurve: {
       /** @description What tells the bodies from the others; empty where nothing is compared. */
@@ -7848,6 +8861,27 @@ export interface components {
        * @description Usable width along the axis.
        */
       width: number;
+    };
+    /** @description One flank of the worm over the part of it that grinds. */
+    WormFlankResult: {
+      /**
+       * Format: double
+       * @description Largest |simulated - wanted| without what is the same everywhere: that is thread thickness and place, which the infeed sets.
+       */
+      max_deviation_um: number;
+      /**
+       * Format: double
+       * @description Mean of simulated - wanted.
+       */
+      mean_deviation_um: number;
+      /** @description What the referee's rays left under the dresser, normal. */
+      simulated_um: number[][];
+      /** @description Lengths of roll of the worm. */
+      w_mm: number[];
+      /** @description What is wanted, normal, positive = material left, `[profile][length]`. */
+      wanted_um: number[][];
+      /** @description Positions along the worm. */
+      z_mm: number[];
     };
     /** @description What a study found: the document of `explore.json`. */
     WormLifeOutcome: {

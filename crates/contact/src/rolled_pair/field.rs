@@ -57,7 +57,7 @@ impl RolledPair {
     }
 
     fn least_over(&self, place: [f64; 2], course: &RollCourse, rolls: &[f64]) -> f64 {
-        let at = self.first().surface.jet(place[0], place[1]);
+        let Some(at) = self.place(place) else { return f64::INFINITY };
         let mut start = None;
         let mut normal = |roll: f64| {
             let Some(gap) = self.gap_at(&at, roll, start) else { return f64::INFINITY };

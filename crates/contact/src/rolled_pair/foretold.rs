@@ -3,28 +3,43 @@
 //! The nominal flanks touch along a line at every roll. What both ease-offs leave there, f_1 + f_2 along the common normal, brings the
 //! second gear by -(f_1 + f_2)/arm nearer to that place or farther from it, arm being that of the normal about its axis. The least of
 //! this turn over the line, and over the lines of all pairs, holds the gears apart; every other place of the line stays open by the
-//! difference. The arm grows with the distance from the apex, so that it is the turn that counts, not the ease-off alone.
+//! difference. The arm of a bevel gear grows with the distance from the apex, so that it is the turn that counts, not the ease-off alone.
 
+use super::arrangement::Arrangement;
 use super::pair::within;
 use super::{FlankPlaces, GapField, RollCourse};
 use crate::ContactError;
-use foundation::geometry::{BevelGear, Flank, FlankLine, NormalOffset, Octoid, SphericalInvolute, Surface};
+use foundation::geometry::{
+    BevelGear, Flank, FlankLine, Helicoid, NormalOffset, Octoid, SphericalInvolute, Surface,
+};
 use foundation::numerics::{equidistant, extremes};
+use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
 
-/// A bevel gear and its conjugate mate: nominal flanks, places that touch, and when.
+/// A gear and its conjugate mate: nominal flanks, places that touch, and when.
 #[derive(Clone, Debug)]
 pub struct ConjugateFlanks {
-    gears: [BevelGear; 2],
     flank: Flank,
-    nominal: Nominal,
+    nominal: Arc<dyn Surface>,
     /// Heights of both active flanks at root and tip.
     heights: [[f64; 2]; 2],
+    /// Ends of both faces.
+    lengths: [[f64; 2]; 2],
+    teeth: [u32; 2],
+    /// Height of the second flank over that of the first: at 0, and its rate.
+    partner: [f64; 2],
+    /// Turn of the first gear's transverse section over the height of the place that touches, without the sign of the flank: at 0, and its
+    /// rate.
+    turn: [f64; 2],
+    line: Line,
 }
 
+/// How sections of the first gear are turned along the tooth.
 #[derive(Clone, Debug)]
-enum Nominal {
-    Involute(Box<SphericalInvolute>),
-    Octoid(Octoid),
+enum Line {
+    Bevel(FlankLine),
+    /// k, rad/mm.
+    Helix(f64),
 }
 
 /// Places of a contact line.
@@ -35,9 +50,22 @@ const BETWEEN: usize = 16;
 impl ConjugateFlanks {
     /// Flanks on the spherical involute: both cones roll off one plane of action.
     pub fn involute(gears: [BevelGear; 2], flank: Flank) -> Self {
-        let nominal = Nominal::Involute(Box::new(SphericalInvolute::new(&gears[0], flank)));
-        let heights = [gears[0].heights(), gears[1].heights()];
-        Self { gears, flank, nominal, heights }
+        let [first, second] = &gears;
+        let sines = [first, second].map(|gear| gear.base_angle().sin());
+        // Arcs on the plane of action from both base cones: xi_1 + xi_2 is what it is at the pitch point.
+        let together = first.pitch_roll() + second.pitch_roll();
+        let half_space = FRAC_PI_2 / f64::from(first.data().teeth);
+        let surface = SphericalInvolute::new(first, flank);
+        Self {
+            flank,
+            heights: [first.heights(), second.heights()],
+            lengths: [first.face(), second.face()],
+            teeth: [first.data().teeth, second.data().teeth],
+            partner: [together / sines[1], -sines[0] / sines[1]],
+            turn: [half_space - first.pitch_roll() / sines[0], 1.0],
+            line: Line::Bevel(surface.line().clone()),
+            nominal: Arc::new(surface),
+        }
     }
 
     /// Octoid flanks: one crown gear's plane cuts both.
@@ -49,12 +77,61 @@ impl ConjugateFlanks {
             let octoid = Octoid::new(gear, flank);
             Ok::<_, ContactError>([octoid.height_of(gear.form_angle())?, octoid.height_of(gear.tip_angle())?])
         };
-        let heights = [heights(&gears[0])?, heights(&gears[1])?];
-        let nominal = Nominal::Octoid(Octoid::new(&gears[0], flank));
-        Ok(Self { gears, flank, nominal, heights })
+        let [first, second] = &gears;
+        let sines = [first, second].map(|gear| gear.data().pitch_angle.sin());
+        Ok(Self {
+            flank,
+            nominal: Arc::new(Octoid::new(first, flank)),
+            heights: [heights(first)?, heights(second)?],
+            lengths: [first.face(), second.face()],
+            teeth: [first.data().teeth, second.data().teeth],
+            partner: [0.0, -sines[0] / sines[1]],
+            turn: [FRAC_PI_2 / f64::from(first.data().teeth), 1.0],
+            line: Line::Bevel(FlankLine::Straight),
+        })
     }
 
-    /// Which flanks of the spaces touch.
+    /// Involute helicoids on parallel axes, with the heights of both active flanks at root and tip and the ends of both faces.
+    ///
+    /// # Errors
+    /// [`ContactError::InvalidNumber`] for a centre distance at which the base circles have no common tangent, and for axes that cross.
+    pub fn cylindrical(
+        gears: [&Helicoid; 2],
+        arrangement: Arrangement,
+        heights: [[f64; 2]; 2],
+        lengths: [[f64; 2]; 2],
+    ) -> Result<Self, ContactError> {
+        let [first, second] = gears;
+        let radii = gears.map(Helicoid::base_radius);
+        let against = arrangement.against();
+        let distance = arrangement.centre().abs();
+        let cosine = (radii[0] + against * radii[1]).abs() / distance;
+        if !(cosine > 0.0 && cosine < 1.0) {
+            return Err(ContactError::InvalidNumber {
+                field: "centre_distance",
+                value: distance,
+                allowed: "greater than sum or difference of both base radii",
+            });
+        }
+        let angle = cosine.acos();
+        let path = distance * angle.sin();
+        // Along the common tangent: w_1 + w_2 outside, w_ring - w_pinion inside.
+        let sign = first.external_sign();
+        let partner = if against > 0.0 { [path, -1.0] } else { [sign * path, 1.0] };
+        let turn = [first.base_space_half_angle() - sign * angle, sign / radii[0]];
+        Ok(Self {
+            flank: first.flank().flank,
+            nominal: Arc::new(*first),
+            heights,
+            lengths,
+            teeth: [first.flank().teeth.round() as u32, second.flank().teeth.round() as u32],
+            partner,
+            turn,
+            line: Line::Helix(first.twist()),
+        })
+    }
+
+    /// Which flanks of the first gear's spaces touch.
     pub fn flank(&self) -> Flank {
         self.flank
     }
@@ -64,80 +141,67 @@ impl ConjugateFlanks {
         self.heights
     }
 
-    fn surface(&self) -> &dyn Surface {
-        match &self.nominal {
-            Nominal::Involute(surface) => &**surface,
-            Nominal::Octoid(surface) => surface,
-        }
-    }
-
-    /// Height on the second flank that touches a height of the first one; the distance from the apex is that of the first.
+    /// Height on the second flank that touches a height of the first one; the length is that of the first.
     pub fn partner(&self, height: f64) -> f64 {
-        let [first, second] = &self.gears;
-        match self.nominal {
-            // Arcs on the plane of action from both base cones: xi_1 + xi_2 is what it is at the pitch point.
-            Nominal::Involute(_) => {
-                let together = first.pitch_roll() + second.pitch_roll();
-                (together - height * first.base_angle().sin()) / second.base_angle().sin()
-            }
-            Nominal::Octoid(_) => -height * first.data().pitch_angle.sin() / second.data().pitch_angle.sin(),
-        }
+        self.partner[0] + self.partner[1] * height
     }
 
-    /// Height less roll of a straight flank that stands on the pitch line with its space.
-    fn offset(&self) -> f64 {
-        let gear = &self.gears[0];
-        let half_space = std::f64::consts::FRAC_PI_2 / f64::from(gear.data().teeth);
-        match self.nominal {
-            Nominal::Involute(_) => half_space - gear.pitch_roll() / gear.base_angle().sin(),
-            Nominal::Octoid(_) => half_space,
-        }
+    /// Height on the first flank that touches a height of the second one.
+    pub fn touching(&self, partner: f64) -> f64 {
+        (partner - self.partner[0]) / self.partner[1]
     }
 
-    fn line(&self) -> &FlankLine {
-        match &self.nominal {
-            Nominal::Involute(surface) => surface.line(),
-            Nominal::Octoid(_) => &FlankLine::Straight,
+    /// Turn of the section at a length, rad.
+    fn section(&self, length: f64) -> f64 {
+        match &self.line {
+            Line::Bevel(line) => line.angle(length),
+            Line::Helix(twist) => twist * length,
         }
     }
 
     /// Roll of the first gear at which a place of it touches, rad; 0 with the space on the pitch line.
     pub fn roll(&self, [height, length]: [f64; 2]) -> f64 {
-        self.flank.sign() * (height + self.offset()) - self.line().angle(length)
+        self.flank.sign() * (self.turn[0] + self.turn[1] * height) - self.section(length)
+    }
+
+    /// Height that touches at a roll and a length.
+    fn height(&self, roll: f64, length: f64) -> f64 {
+        (self.flank.sign() * (roll + self.section(length)) - self.turn[0]) / self.turn[1]
+    }
+
+    /// Whether a place of the first flank touches one of the second.
+    pub fn touches(&self, place: [f64; 2]) -> bool {
+        within(self.heights[0], place[0])
+            && within(self.heights[1], self.partner(place[0]))
+            && within(self.lengths[1], place[1])
     }
 
     /// Turn of the second gear that the ease-offs of both gears ask for at a place, rad, and the arm, mm; `None` where the partner
     /// is none of the active flank.
     fn turn(&self, place: [f64; 2], ease: [&dyn NormalOffset; 2]) -> Option<[f64; 2]> {
-        let partner = self.partner(place[0]);
-        if !within(self.heights[0], place[0])
-            || !within(self.heights[1], partner)
-            || !within(self.gears[1].face(), place[1])
-        {
+        if !self.touches(place) {
             return None;
         }
-        let jet = self.surface().jet(place[0], place[1]);
+        let jet = self.nominal.jet(place[0], place[1]);
         // Normal speeds of both gears are equal on the contact line.
         let own = (jet.point.x * jet.normal.y - jet.point.y * jet.normal.x).abs();
-        let arm = own * f64::from(self.gears[1].data().teeth) / f64::from(self.gears[0].data().teeth);
-        let left = ease[0].jet(place[0], place[1]).f + ease[1].jet(partner, place[1]).f;
+        let arm = own * f64::from(self.teeth[1]) / f64::from(self.teeth[0]);
+        let left = ease[0].jet(place[0], place[1]).f + ease[1].jet(self.partner(place[0]), place[1]).f;
         Some([-left / arm, arm])
     }
 
     /// The least turn over the contact lines of all rolls, `positions` and what lies between them for each pitch of the first gear.
     pub fn course(&self, ease: [&dyn NormalOffset; 2], positions: usize) -> RollCourse {
-        let sign = self.flank.sign();
-        let lengths = equidistant(self.gears[0].face(), PLACES);
+        let lengths = equidistant(self.lengths[0], PLACES);
         let ends = lengths.iter().flat_map(|b| self.heights[0].map(|a| self.roll([a, *b])));
         let [from, to] = extremes(ends);
         let positions = BETWEEN * positions.max(1);
-        let step = std::f64::consts::TAU / f64::from(self.gears[0].data().teeth) / positions as f64;
+        let step = std::f64::consts::TAU / f64::from(self.teeth[0]) / positions as f64;
         let count = ((to - from) / step).ceil() as usize + 1;
         let least = |position: usize| {
             let roll = from + position as f64 * step;
             let on_line = lengths.iter().filter_map(|length| {
-                let height = sign * (roll + self.line().angle(*length)) - self.offset();
-                self.turn([height, *length], ease).map(|[turn, _]| turn)
+                self.turn([self.height(roll, *length), *length], ease).map(|[turn, _]| turn)
             });
             on_line.fold(f64::INFINITY, f64::min)
         };

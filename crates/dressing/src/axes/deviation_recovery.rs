@@ -1,13 +1,13 @@
 //! Deviations of the dressing axes found from what was measured on the worm, with their uncertainty
-//! (`docs/mathematics/dressing.md#axes-and-their-deviations`). Knows no distribution of the deviations.
-//!
-//! Kept for planning corrections from a measured worm: no command reaches it yet; `verify` recomputes references with it.
+//! (`docs/mathematics/dressing.md#axes-and-their-deviations`): from profiles dressed at rest, or from points of flanks that a motion dressed.
+//! Knows no distribution of the deviations. `recover_deviation`, from profiles at rest, no command reaches: `verify` recomputes references with it.
 
 use crate::axes::deviation::{AXIS_NAMES, check_correction, check_rolls, sum};
-use crate::{ConditionSolver, DressedProfile, DresserTool, DressingError};
+use crate::{ConditionSolver, DressedProfile, DressedWorm, DresserTool, DressingError};
 use foundation::geometry::Flank;
 use foundation::inverse::{GaussNewton, gauss_newton};
 use foundation::kinematics::DressingCorrection;
+use foundation::numerics::Chebyshev;
 use nalgebra::{DMatrix, DVector};
 
 /// A measured profile of one flank of the worm.
@@ -64,6 +64,95 @@ pub fn recover_deviation(
     known: &Recovery,
 ) -> Result<RecoveredDeviation, DressingError> {
     check(measurements, known)?;
+    let count: usize = measurements.iter().map(|m| m.w.len()).sum();
+    recover(tool, reference_radius, known, |off| {
+        let mut rows = Rows::with_capacity(count);
+        for m in measurements {
+            let profile = DressedProfile::new(tool, m.flank, sum(&m.dk, off));
+            rows.extend(profile.at_rolls(m.w)?.iter().zip(m.f).map(|(at, f)| (at.f - f, at.df_dk)));
+        }
+        Ok(rows)
+    })
+}
+
+/// Points of a worm flank that were measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeasuredFlank<'a> {
+    /// Flank of the worm.
+    pub flank: Flank,
+    /// DK over v with which it was meant to be dressed.
+    pub corrections: &'a [Chebyshev; 4],
+    /// Length of roll, worm z and measured normal modification of each point, mm; positive = material left.
+    pub points: &'a [[f64; 3]],
+}
+
+/// Deviations, the same all along the worm, that explain points of flanks which a motion dressed: least squares over all points, exact
+/// envelope. `by_form` compares each flank about its mean, where the thickness of the threads is not known; nothing tells the worm's angle then.
+///
+/// # Errors
+/// As [`recover_deviation`]; [`DressingError::OutOfDresser`] for a point that the motion does not dress.
+pub fn recover_from_points(
+    tool: &DresserTool,
+    reference_radius: f64,
+    flanks: &[MeasuredFlank<'_>],
+    known: &Recovery,
+    by_form: bool,
+) -> Result<RecoveredDeviation, DressingError> {
+    check_known(flanks.len(), known)?;
+    for value in flanks.iter().flat_map(|flank| flank.points.iter().flatten()) {
+        if !value.is_finite() {
+            let (field, value, allowed) = ("measured point of the worm", *value, "finite numbers");
+            return Err(DressingError::InvalidNumber { field, value, allowed });
+        }
+    }
+    recover(tool, reference_radius, known, |off| {
+        let mut rows = Rows::new();
+        for of in flanks {
+            let moved = std::array::from_fn(|j| of.corrections[j].raised(off[j]));
+            let worm = DressedWorm::new(tool, of.flank, &moved);
+            let row = |&[w, z, f]: &[f64; 3]| {
+                let range = worm.range();
+                let beyond =
+                    DressingError::OutOfDresser { flank: of.flank, w, from: range.w_nf, to: range.w_na };
+                let (made, _, v) = worm.modification(w, z).ok_or(beyond)?;
+                // Derivatives of the profile at rest there: what the motion adds to them is of second order.
+                let dk = std::array::from_fn(|j| moved[j].value(v));
+                let at = DressedProfile::new(tool, of.flank, dk).at_roll(w)?;
+                Ok((made - f, at.df_dk))
+            };
+            let mut flank = of.points.iter().map(row).collect::<Result<Rows, DressingError>>()?;
+            if by_form {
+                about_mean(&mut flank);
+            }
+            rows.extend(flank);
+        }
+        Ok(rows)
+    })
+}
+
+/// Residuals with their derivatives by d_phi_S, d_gamma, d_d, d_v_yA.
+type Rows = Vec<(f64, [f64; 4])>;
+
+/// Rows less their mean.
+fn about_mean(rows: &mut Rows) {
+    let count = rows.len().max(1) as f64;
+    let mean = rows.iter().map(|row| row.0).sum::<f64>() / count;
+    let slopes: [f64; 4] = std::array::from_fn(|j| rows.iter().map(|row| row.1[j]).sum::<f64>() / count);
+    for (residual, derivatives) in rows {
+        *residual -= mean;
+        for j in 0..4 {
+            derivatives[j] -= slopes[j];
+        }
+    }
+}
+
+/// Least squares over rows of a model of the deviations.
+fn recover(
+    tool: &DresserTool,
+    reference_radius: f64,
+    known: &Recovery,
+    model: impl Fn(&DressingCorrection) -> Result<Rows, DressingError>,
+) -> Result<RecoveredDeviation, DressingError> {
     let scale = ConditionSolver::new(tool, reference_radius).scale();
     let free: Vec<usize> = (0..4).filter(|&j| known.held[j].is_none()).collect();
     let deviation = |x: &DVector<f64>| -> DressingCorrection {
@@ -73,21 +162,10 @@ pub fn recover_deviation(
         }
         at
     };
-    let count: usize = measurements.iter().map(|m| m.w.len()).sum();
     let rows = |x: &DVector<f64>| -> Result<(DVector<f64>, DMatrix<f64>), DressingError> {
-        let off = deviation(x);
-        let (mut residual, mut jacobian) = (DVector::zeros(count), DMatrix::zeros(count, free.len()));
-        let mut row = 0;
-        for m in measurements {
-            let profile = DressedProfile::new(tool, m.flank, sum(&m.dk, &off));
-            for (at, f) in profile.at_rolls(m.w)?.iter().zip(m.f) {
-                residual[row] = at.f - f;
-                for (k, &j) in free.iter().enumerate() {
-                    jacobian[(row, k)] = at.df_dk[j] * scale[j];
-                }
-                row += 1;
-            }
-        }
+        let rows = model(&deviation(x))?;
+        let residual = DVector::from_fn(rows.len(), |i, _| rows[i].0);
+        let jacobian = DMatrix::from_fn(rows.len(), free.len(), |i, k| rows[i].1[free[k]] * scale[free[k]]);
         Ok((residual, jacobian))
     };
     let start = DVector::zeros(free.len());
@@ -107,7 +185,7 @@ pub fn recover_deviation(
         deviation: deviation(&found.x),
         standard_deviation: uncertainty.standard_deviation,
         singular_values: uncertainty.singular_values,
-        residual_rms: (residual.norm_squared() / count as f64).sqrt(),
+        residual_rms: (residual.norm_squared() / residual.len().max(1) as f64).sqrt(),
     })
 }
 
@@ -168,7 +246,23 @@ impl Uncertainty {
 
 fn check(measurements: &[Measurement<'_>], known: &Recovery) -> Result<(), DressingError> {
     let invalid = |field, value, allowed| Err(DressingError::InvalidNumber { field, value, allowed });
-    if measurements.is_empty() {
+    check_known(measurements.len(), known)?;
+    for m in measurements {
+        check_correction("correction of a measured profile", &m.dk)?;
+        check_rolls(m.w)?;
+        if m.f.len() != m.w.len() {
+            return invalid("number of measured values", m.f.len() as f64, "one for each length of roll");
+        }
+        if let Some(&value) = m.f.iter().find(|f| !f.is_finite()) {
+            return invalid("measured modification", value, "finite numbers");
+        }
+    }
+    Ok(())
+}
+
+fn check_known(count: usize, known: &Recovery) -> Result<(), DressingError> {
+    let invalid = |field, value, allowed| Err(DressingError::InvalidNumber { field, value, allowed });
+    if count == 0 {
         return invalid("number of measured profiles", 0.0, "at least 1");
     }
     if !(known.noise.is_finite() && known.noise > 0.0) {
@@ -179,16 +273,6 @@ fn check(measurements: &[Measurement<'_>], known: &Recovery) -> Result<(), Dress
     }
     if let Some(value) = known.held.into_iter().flatten().find(|x| !x.is_finite()) {
         return invalid("held component", value, "finite numbers");
-    }
-    for m in measurements {
-        check_correction("correction of a measured profile", &m.dk)?;
-        check_rolls(m.w)?;
-        if m.f.len() != m.w.len() {
-            return invalid("number of measured values", m.f.len() as f64, "one for each length of roll");
-        }
-        if let Some(&value) = m.f.iter().find(|f| !f.is_finite()) {
-            return invalid("measured modification", value, "finite numbers");
-        }
     }
     Ok(())
 }

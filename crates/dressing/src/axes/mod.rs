@@ -10,7 +10,9 @@ pub(super) mod machine_motion;
 
 pub use axis_influence::WormContact;
 pub use deviation::{AXIS_NAMES, Influence, influence};
-pub use deviation_recovery::{Measurement, RecoveredDeviation, Recovery, recover_deviation};
+pub use deviation_recovery::{
+    MeasuredFlank, Measurement, RecoveredDeviation, Recovery, recover_deviation, recover_from_points,
+};
 pub use deviation_spread::{Quantiles, Spread, SpreadOfProfile, Spreads, spread_of_profile};
 pub use machine_choice::{AxisCriterion, MachineChoice, SwivelChoice};
 pub use machine_motion::{

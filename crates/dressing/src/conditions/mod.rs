@@ -7,13 +7,16 @@ pub mod crowning_range;
 pub mod path_end;
 mod path_reason;
 pub mod profile_fit;
+mod row_set;
 pub mod rows;
 pub mod sets;
 pub mod solver;
 pub mod topological;
-pub mod two_flanks;
 
-pub use along::{ConditionsAlong, RowAlong};
+pub use along::{
+    ConditionsAlong, MOST_COEFFICIENTS, MOST_ROWS, PitchPlace, RowAlong, RowSet, RowsAlong, WidthLaw,
+    WishAlong,
+};
 pub use compensation::{Compensated, Compensation, SoftCondition};
 pub use crowning_range::{CrowningEnd, CrowningLimits, CrowningPoint, CrowningRange, CrowningRows};
 pub use path_reason::PathReason;
@@ -21,6 +24,7 @@ pub use profile_fit::{
     ProfileFit, fit_profile, fit_profile_along, fit_profile_on_path, profile_error, refit_profile,
     uncorrected_profile,
 };
+pub use row_set::{RowMiss, missed_rows, solve_rows_along, solve_rows_at};
 pub use rows::Condition;
 pub use sets::{
     PitchPoint, four_points, map_of_upper_end, shift_through, three_points, three_points_with_map,
@@ -28,7 +32,5 @@ pub use sets::{
 };
 pub use solver::ConditionSolver;
 pub use topological::{
-    NodePlan, NodeSolution, pitch_rolls, residue_of_motion, solve_conditions_along, solve_conditions_at,
-    solve_dressing_motion,
+    NodePlan, NodeSolution, pitch_rolls, solve_conditions_along, solve_conditions_at, solve_dressing_motion,
 };
-pub use two_flanks::{TwoFlankWish, solve_two_flank_motion, two_flank_rolls};

@@ -43,6 +43,11 @@ impl<'a> ConditionSolver<'a> {
         self.tool
     }
 
+    /// Reference radius of the worm, mm.
+    pub(crate) fn reference_radius(&self) -> f64 {
+        1.0 / self.scale[0]
+    }
+
     /// Sizes of one scaled unknown: r_S^-1 rad, 1/20 rad, 1 mm, 5 mm.
     pub fn scale(&self) -> DressingCorrection {
         self.scale.into()

@@ -2,8 +2,8 @@
 //! (`docs/mathematics/dressing.md#conditions`).
 
 use crate::{
-    Condition, ConditionSolver, ConditionsAlong, DressedProfile, DressedWorm, DresserTool, DressingError,
-    FlankDresser, PathReason, three_points_with_map,
+    Condition, ConditionSolver, ConditionsAlong, DressedProfile, DresserTool, DressingError, FlankDresser,
+    PathReason, three_points_with_map,
 };
 use foundation::geometry::Flank;
 use foundation::kinematics::DressingCorrection;
@@ -54,21 +54,37 @@ pub fn solve_conditions_at(
 ) -> Result<DressingCorrection, DressingError> {
     let tool = solver.tool();
     // A first guess of the places tells the lengths of roll; the places on those follow from the start.
-    let somewhere = |dresser: &FlankDresser| dresser.line.value(dresser.designed.middle()) - v;
-    let mut rows = conditions.at(v, &[somewhere(&tool.flanks.left); 4]);
-    let guessed = rows.map(|row| row.flank().map_or(0.0, |flank| somewhere(&tool.flanks[flank])));
+    let mut rows = conditions.at(v, &[somewhere(&tool.flanks.left, v); 4]);
+    let guessed = rows.map(|row| row.flank().map_or(0.0, |flank| somewhere(&tool.flanks[flank], v)));
     rows = conditions.at(v, &guessed);
     if let Some(dk) = solver.solve_following(conditions, v, &rows, start) {
         return Ok(dk);
     }
+    let at = |b: &[f64]| conditions.at(v, &std::array::from_fn(|i| b[i])).to_vec();
+    settle(tool, v, start, rows.to_vec(), &at, |rows, dk| solver.solve(rows, dk))
+}
+
+/// Solves rows whose targets are taken where the dresser touches, by a fixed point from `rows`: `at` gives the rows for the places of the
+/// pitch points, `solve` their solution near a correction.
+///
+/// # Errors
+/// Those of `solve`, with v filled in; [`DressingError::NoZero`] where the places do not settle.
+pub(super) fn settle(
+    tool: &DresserTool,
+    v: f64,
+    start: &DressingCorrection,
+    mut rows: Vec<Condition>,
+    at: &dyn Fn(&[f64]) -> Vec<Condition>,
+    mut solve: impl FnMut(&[Condition], &DressingCorrection) -> Result<DressingCorrection, DressingError>,
+) -> Result<DressingCorrection, DressingError> {
     let mut dk = *start;
     let mut b = places(tool, &rows, &dk, v)?;
     let mut moved = f64::INFINITY;
     for _ in 0..ROUNDS {
-        rows = conditions.at(v, &b);
-        dk = solver.solve(&rows, &dk).map_err(|error| error.at_position(v))?;
+        rows = at(&b);
+        dk = solve(&rows, &dk).map_err(|error| error.at_position(v))?;
         let next = places(tool, &rows, &dk, v)?;
-        let step = (0..4).map(|i| (next[i] - b[i]).abs()).fold(0.0, f64::max);
+        let step = next.iter().zip(&b).map(|(next, b)| (next - b).abs()).fold(0.0, f64::max);
         b = next;
         if step < ROUND_TOLERANCE || (step < UNSETTLED && step >= moved) {
             return Ok(dk);
@@ -83,19 +99,22 @@ pub fn solve_conditions_at(
 }
 
 /// Worm z of the places where the dresser touches at the pitch points; 0 for the other rows.
-fn places(
+pub(super) fn places(
     tool: &DresserTool,
-    rows: &[Condition; 4],
+    rows: &[Condition],
     dk: &DressingCorrection,
     v: f64,
-) -> Result<[f64; 4], DressingError> {
-    let mut b = [0.0; 4];
-    for (b, row) in b.iter_mut().zip(rows) {
-        if let Condition::Point { flank, w, .. } = *row {
-            *b = DressedProfile::new(tool, flank, *dk).at_roll(w)?.b - v;
-        }
-    }
-    Ok(b)
+) -> Result<Vec<f64>, DressingError> {
+    let place = |row: &Condition| match *row {
+        Condition::Point { flank, w, .. } => Ok(DressedProfile::new(tool, flank, *dk).at_roll(w)?.b - v),
+        _ => Ok(0.0),
+    };
+    rows.iter().map(place).collect()
+}
+
+/// Worm z at which a flank is dressed at the position v without corrections, in the middle of the profile: a first guess of the places.
+pub(super) fn somewhere(dresser: &FlankDresser, v: f64) -> f64 {
+    dresser.line.value(dresser.designed.middle()) - v
 }
 
 /// DK(v) as Chebyshev series over the plan's interval; nodes are solved outwards from the middle, each from its neighbours.
@@ -136,28 +155,6 @@ pub fn solve_dressing_motion(
 ) -> Result<([Chebyshev; 4], Vec<NodeSolution>), DressingError> {
     let rows = ThreePoints { dresser: &tool.flanks[flank], wanted };
     solve_conditions_along(&ConditionSolver::new(tool, reference_radius), plan, &rows)
-}
-
-/// What the exact envelope of a motion leaves beyond the wanted modification at worm points (w, b), mm normal: the part of the
-/// target that three points and one line of contact cannot follow, and what the motion itself adds. Kept for conditions that move
-/// over the width: no command reaches it yet.
-///
-/// # Errors
-/// [`DressingError::OutOfDresser`] for a point that the motion does not dress.
-pub fn residue_of_motion(
-    tool: &DresserTool,
-    flank: Flank,
-    corrections: &[Chebyshev; 4],
-    wanted: &dyn Fn(f64, f64) -> f64,
-    points: &[(f64, f64)],
-) -> Result<Vec<f64>, DressingError> {
-    let dressed = DressedWorm::new(tool, flank, corrections);
-    let (from, to) = tool.flanks[flank].profile.interval();
-    let left = |&(w, b): &(f64, f64)| {
-        let (f, ..) = dressed.modification(w, b).ok_or(DressingError::OutOfDresser { flank, w, from, to })?;
-        Ok(f - wanted(w, b))
-    };
-    points.iter().map(left).collect()
 }
 
 /// Nodes whose polynomial tells where the next one is sought.

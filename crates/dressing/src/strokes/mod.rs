@@ -8,7 +8,7 @@ pub(super) mod stroke_surface;
 
 pub use multi_stroke::{MultiStroke, StrokePoint};
 pub use stroke::{ActiveArea, DressedStroke, Stroke};
-pub use stroke_division::{ProfileSection, divide};
+pub use stroke_division::{MovingSection, ProfileSection, StrokeSection, divide, divide_moving};
 pub use stroke_motion::{
     MovingStroke, StrokeAlong, StrokeWish, StrokedPoint, StrokedWorm, solve_stroke_node,
 };

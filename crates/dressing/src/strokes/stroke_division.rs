@@ -2,22 +2,31 @@
 //! source). Knows no corrections.
 
 use crate::strokes::stroke::check_range;
-use crate::{ActiveArea, DresserTool, DressingError, Stroke};
+use crate::{ActiveArea, DresserTool, DressingError, Stroke, WidthLaw};
 use foundation::geometry::Flank;
 
-/// A section of the worm's profile that one active area dresses in as many strokes as it takes.
+/// A section of the worm's profile that one active area dresses in as many strokes as it takes; its ends are numbers, or laws where they move.
 #[derive(Clone, Copy, Debug)]
-pub struct ProfileSection<'a> {
+pub struct StrokeSection<'a, End> {
     /// The dresser, in nominal kinematics on the worm.
     pub tool: &'a DresserTool,
     /// What of it cuts.
     pub area: ActiveArea,
     /// Lengths of roll of the section, mm.
-    pub range: [f64; 2],
+    pub range: [End; 2],
 }
+
+/// A section that is the same over the face.
+pub type ProfileSection<'a> = StrokeSection<'a, f64>;
+
+/// A section whose ends move.
+pub type MovingSection<'a> = StrokeSection<'a, WidthLaw>;
 
 /// Most strokes of a section; more are a mistake in the units.
 const MOST: usize = 1000;
+
+/// How far the laws of sections are looked at, in q: contacts go a little beyond the face.
+const REACH: f64 = 1.05;
 
 /// Strokes for the sections of a profile, each with the number of its section from 0. Sections are given in ascending order of w and
 /// without room between them. The strokes of a section are
@@ -32,6 +41,29 @@ pub fn divide<'a>(
     flank: Flank,
     overlap: f64,
 ) -> Result<Vec<(usize, Stroke<'a>)>, DressingError> {
+    let moving = |section: &ProfileSection<'a>| MovingSection {
+        tool: section.tool,
+        area: section.area,
+        range: section.range.map(WidthLaw::constant),
+    };
+    let still = |(k, range): (usize, [WidthLaw; 2])| {
+        let range = range.map(|law| law.value(0.0));
+        (k, Stroke { tool: sections[k].tool, area: sections[k].area, range })
+    };
+    let moving: Vec<_> = sections.iter().map(moving).collect();
+    Ok(divide_moving(&moving, flank, overlap)?.into_iter().map(still).collect())
+}
+
+/// The same for sections whose ends move: ranges of the strokes as laws, each with the number of its section from 0. A section takes as
+/// many strokes as where it is widest.
+///
+/// # Errors
+/// As [`divide`]; a section that takes several strokes is nowhere shorter than its active part.
+pub fn divide_moving(
+    sections: &[MovingSection<'_>],
+    flank: Flank,
+    overlap: f64,
+) -> Result<Vec<(usize, [WidthLaw; 2])>, DressingError> {
     let invalid = |field, value, allowed| Err(DressingError::InvalidNumber { field, value, allowed });
     if sections.is_empty() {
         return invalid("number of sections", 0.0, "at least 1");
@@ -42,9 +74,14 @@ pub fn divide<'a>(
     let mut strokes = Vec::new();
     for (k, section) in sections.iter().enumerate() {
         let [from, to] = section.range;
-        check_range(section.range)?;
-        if k > 0 && (from - sections[k - 1].range[1]).abs() > 1e-9 {
-            return invalid("start of a section", from, "the end of the section before it");
+        let width = to + from.times(-1.0);
+        check_range([from.extremes(REACH)[0], to.extremes(REACH)[1]])?;
+        let [narrowest, widest] = width.extremes(REACH);
+        if narrowest <= 0.0 {
+            return invalid("end w_b of a range of the worm", narrowest, "a finite length of roll above w_a");
+        }
+        if k > 0 && gap_before(sections, k) > 1e-9 {
+            return invalid("start of a section", from.value(0.0), "the end of the section before it");
         }
         let part = section.area.part();
         let dresser = &section.tool.flanks[flank];
@@ -52,15 +89,15 @@ pub fn divide<'a>(
         if overlap >= length {
             return invalid("overlap of strokes", overlap, "below the length of the active part");
         }
-        let width = to - from;
         let (first, last) = (k == 0, k + 1 == sections.len());
-        if width <= length {
+        // Where the strokes begin: from + share (width - length).
+        let shares = if widest <= length {
             // What the stroke is too long by lies beyond the profile.
-            let start = match (first, last) {
-                (true, true) => from - 0.5 * (length - width),
-                (true, false) => to - length,
-                (false, true) => from,
-                (false, false) if length - width <= 1e-9 => from,
+            match (first, last) {
+                (true, true) => vec![0.5],
+                (true, false) => vec![1.0],
+                (false, true) => vec![0.0],
+                (false, false) if length - narrowest <= 1e-9 => vec![0.0],
                 (false, false) => {
                     return invalid(
                         "length of the active part",
@@ -68,23 +105,34 @@ pub fn divide<'a>(
                         "up to the length of a section between two others",
                     );
                 }
-            };
-            let range = [start, start + length];
-            check_range(range)?;
-            strokes.push((k, Stroke { tool: section.tool, area: section.area, range }));
-            continue;
-        }
-        let count = ((width - overlap) / (length - overlap) - 1e-12).ceil();
-        if count > MOST as f64 {
-            return invalid("length of the active part", length, "a thousandth of the section at least");
-        }
-        let step = (width - length) / (count - 1.0);
-        for i in 0..count as usize {
+            }
+        } else if narrowest < length {
+            return invalid(
+                "length of the active part",
+                length,
+                "up to the shortest length of a section that it dresses in several strokes",
+            );
+        } else {
+            let count = ((widest - overlap) / (length - overlap) - 1e-12).ceil();
+            if count > MOST as f64 {
+                return invalid("length of the active part", length, "a thousandth of the section at least");
+            }
+            (0..count as usize).map(|i| i as f64 / (count - 1.0)).collect()
+        };
+        for share in shares {
+            let less = WidthLaw::constant(-length);
             // The last stroke meets the end of the section exactly.
-            let end = if i + 1 == count as usize { to } else { from + step * i as f64 + length };
-            let range = [end - length, end];
-            strokes.push((k, Stroke { tool: section.tool, area: section.area, range }));
+            let start = if share == 1.0 { to + less } else { from + (width + less).times(share) };
+            let end = if share == 1.0 { to } else { start + WidthLaw::constant(length) };
+            check_range([start.extremes(REACH)[0], end.extremes(REACH)[1]])?;
+            strokes.push((k, [start, end]));
         }
     }
     Ok(strokes)
+}
+
+/// Largest distance of a section's start from the end of the section before it, mm.
+fn gap_before(sections: &[MovingSection<'_>], k: usize) -> f64 {
+    let [low, high] = (sections[k].range[0] + sections[k - 1].range[1].times(-1.0)).extremes(REACH);
+    low.abs().max(high.abs())
 }

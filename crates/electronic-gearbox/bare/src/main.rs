@@ -80,7 +80,7 @@ fn run() -> Result<i64, Error> {
 #[unsafe(no_mangle)]
 pub extern "C" fn _start() -> ! {
     loop {
-        drop(black_box(run()));
+        let _ = black_box(run());
     }
 }
 

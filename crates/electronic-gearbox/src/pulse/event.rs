@@ -40,9 +40,10 @@ impl EventInterpolator {
             return Err(refused(crate::TrainFault::Sign { sign }));
         };
         self.send_until(tick - 1, &mut sink);
-        let ticks = (tick - self.base) / u64::from(self.settings.pulses_per_interval());
         let limit = self.settings.counter_limit();
-        let period = u32::try_from(ticks).unwrap_or(limit).min(limit);
+        // P is never 0, which not every compiler sees.
+        let ticks = (tick - self.base).checked_div(u64::from(self.settings.pulses_per_interval()));
+        let period = ticks.and_then(|ticks| u32::try_from(ticks).ok()).unwrap_or(limit).min(limit);
         self.interval.end(&self.settings, direction, period);
         self.base = tick;
         self.now = tick;

@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use flankwright::exchange::{AnyJob, Diagnostic, Job, LoadedJob, Problem, ProcessJob, SkivingJob};
+use flankwright::exchange::{
+    AnyJob, Diagnostic, Job, LoadedJob, MillingJob, Problem, ProcessJob, SkivingJob,
+};
 use flankwright::workflow::inspection::SheetOptions;
 use flankwright::workflow::skiving::inspect_skiving;
 use flankwright::workflow::{Task, TaskOutcome};
@@ -26,12 +28,14 @@ use crate::progress::Bars;
     flankwright inspect measured/ --language de -o series\n  \
     flankwright inspect examples/inspection/measured.csv --job examples/inspection/measured.toml\n  \
     flankwright inspect --job examples/inspection/closed-loop.toml\n  \
+    flankwright inspect examples/inspection/bevel.csv --job examples/inspection/bevel.toml --class 6\n  \
     flankwright inspect examples/skiving/readings.csv --job examples/skiving/measured-ring.toml\n  \
     flankwright inspect examples/inspection/blank.csv --job examples/cycles/measured-blank.toml --blank\n  \
     flankwright inspect --part 17 --job ground.toml --blank --store shop.sqlite\n\n\
     A gear: .mka or .mew (each finds the other beside it), .rexs, .rexsj, .rexsz, or .csv with the columns kind, tooth, flank, position, \
-    abscissa, f_um (traces) or tooth, flank, w_mm, z_mm, f_um (fields). A folder: every measurement in it, with statistics, trends and \
-    capability. With a job of generating grinding: what is systematic, which settings correct it, and the corrected job; without a file, \
+    abscissa, f_um (traces) or tooth, flank, w_mm, z_mm, f_um (fields); of a bevel gear with its milling job .csv with the columns tooth, flank, \
+    row, column, f_um or x_mm, y_mm, z_mm (its measuring grid). A folder: every measurement in it, with statistics, trends and \
+    capability. With a job of generating grinding or five-axis milling: what is systematic, which settings correct it, and the corrected job; without a file, \
     the measurement that its table [inspection.simulated] describes.\n\
     A skiving tool: switching angles at a light barrier (columns flank, track, sense, revolution, angle_deg), always with its job.\n\n\
     Files go into FILE.inspected/ beside the measurement (JOB name.inspected/ beside the job where it simulates one), or where -o says.\n\n\
@@ -45,7 +49,8 @@ pub struct InspectArguments {
     /// The job (TOML or JSON) that tells what was made or measured; `-` reads standard input
     #[arg(long, value_name = "JOB")]
     pub job: Option<PathBuf>,
-    /// Class of ISO 1328-1:2013 that parts have to reach; its tolerances are the limits of sheets and series
+    /// Class of ISO 1328-1:2013 that parts have to reach, of a bevel gear class of ISO 17485:2006 (2 to 11); its tolerances are the limits of
+    /// sheets and series
     #[arg(long, value_name = "CLASS", value_parser = clap::value_parser!(i32).range(1..=11))]
     pub class: Option<i32>,
     /// The measured gear is the blank before grinding: writes the stock that it has over the gear of the job, tooth by tooth, as stock.csv for
@@ -108,6 +113,16 @@ fn for_job(job: &AnyJob, file: Option<&Path>, asked: &Asked<'_>) -> Result<Exit,
         nothing_stated(job, asked)?;
         return of_tool(job, file, asked);
     }
+    if let Some(loaded) = job.of::<MillingJob>() {
+        return match file {
+            Some(file) if loaded.job.bevel.is_some() => {
+                nothing_stated(job, asked)?;
+                measured_gear::for_bevel(file, loaded, asked)
+            }
+            Some(file) => measured_gear::for_milling(file, loaded, asked),
+            None => Err(no_file(job)),
+        };
+    }
     let loaded = grinding(job)?;
     match file {
         Some(file) => measured_gear::for_job(file, loaded, asked),
@@ -123,7 +138,7 @@ fn grinding(job: &AnyJob) -> Result<&LoadedJob, Failure> {
     job.of::<Job>().ok_or_else(|| other_process(job))
 }
 
-/// Statements belong to files of measuring machines.
+/// Statements belong to files of measured cylindrical gears.
 fn nothing_stated(job: &AnyJob, asked: &Asked<'_>) -> Result<(), Failure> {
     if asked.statements.is_empty() {
         return Ok(());
@@ -135,6 +150,14 @@ fn nothing_stated(job: &AnyJob, asked: &Asked<'_>) -> Result<(), Failure> {
         .allowed("with the measurement of a gear")
         .way_out("leave them out, or name the file of the measurement");
     Err(Failure::of_job(Exit::BadInput, job.document(), finding))
+}
+
+/// A milled gear is measured on a machine; none is simulated.
+fn no_file(job: &AnyJob) -> Failure {
+    let finding = Diagnostic::new(Problem::MissingKey, "there is no measurement of the milled gear")
+        .field("FILE")
+        .way_out("name the file of the measurement");
+    Failure::of_job(Exit::BadInput, job.document(), finding)
 }
 
 fn of_tool(job: &AnyJob, file: Option<&Path>, asked: &Asked<'_>) -> Result<Exit, Failure> {
@@ -162,7 +185,9 @@ fn other_process(job: &AnyJob) -> Failure {
     let finding = Diagnostic::new(Problem::ProcessNotAvailable, message)
         .field("job.process")
         .value(format!("\"{name}\""))
-        .allowed(format!("\"{}\", \"{}\"", Job::NAME, SkivingJob::NAME))
-        .way_out("give the job by which the gear was ground, or for whose tool the angles were taken");
+        .allowed(format!("\"{}\", \"{}\", \"{}\"", Job::NAME, MillingJob::NAME, SkivingJob::NAME))
+        .way_out(
+            "give the job by which the gear was ground or milled, or for whose tool the angles were taken",
+        );
     job.error(finding).into()
 }

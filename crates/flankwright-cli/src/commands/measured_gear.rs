@@ -3,15 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use flankwright::exchange::job::Language;
-use flankwright::exchange::{Diagnostic, LoadedJob, Problem};
+use flankwright::exchange::{Diagnostic, LoadedJob, LoadedMillingJob, Problem};
 use flankwright::workflow::JobFailure;
 use flankwright::workflow::inspection::series::{
     InspectionSeries, SeriesOptions, inspect_series, measured_parts_in, series_summary,
     write_inspection_series,
 };
 use flankwright::workflow::inspection::{
-    GearInspection, SheetOptions, Statements, inspect_for_job, inspect_gear, inspect_simulated,
-    write_gear_inspection,
+    GearInspection, SheetOptions, Statements, inspect_bevel, inspect_for_job, inspect_for_milling,
+    inspect_gear, inspect_simulated, write_bevel_inspection, write_gear_inspection,
 };
 
 use super::outcome::{ROWS, conclude, unwritten};
@@ -67,6 +67,34 @@ pub fn for_job(file: &Path, loaded: &LoadedJob, asked: &Asked<'_>) -> Result<Exi
     bars.finish();
     let found = found.map_err(|failure| Failure::of_job_or_file(&loaded.document, failure))?;
     deliver(found, asked, &beside(file))
+}
+
+/// Judges a measurement against a job of five-axis milling.
+///
+/// # Errors
+/// As [`for_job`]; a workpiece that is no cylindrical gear.
+pub fn for_milling(file: &Path, loaded: &LoadedMillingJob, asked: &Asked<'_>) -> Result<Exit, Failure> {
+    let bars = Bars::new(asked.common.quiet);
+    let found = inspect_for_milling(loaded, file, &asked.statements, asked.sheet.tolerance_class, &bars);
+    bars.finish();
+    let found = found.map_err(|failure| Failure::of_job_or_file(&loaded.document, failure))?;
+    deliver(found, asked, &beside(file))
+}
+
+/// Judges points on the grid of a bevel gear against the job by which it was milled.
+///
+/// # Errors
+/// As [`for_job`]; statements, which belong to files of measuring machines.
+pub fn for_bevel(file: &Path, loaded: &LoadedMillingJob, asked: &Asked<'_>) -> Result<Exit, Failure> {
+    let bars = Bars::new(asked.common.quiet);
+    let found = inspect_bevel(loaded, file, asked.sheet.tolerance_class, &bars);
+    bars.finish();
+    let mut found = found.map_err(|failure| Failure::of_job_or_file(&loaded.document, failure))?;
+    found.language = asked.language.unwrap_or(found.language);
+    let beside = beside(file);
+    let directory = asked.common.output.as_deref().unwrap_or(&beside);
+    let written = write_bevel_inspection(&found, directory).map_err(unwritten)?;
+    conclude(asked.common, &found, ROWS, &written)
 }
 
 /// Measures and corrects the simulated machine of a job.

@@ -92,9 +92,13 @@ fn explore_ranks_all_pairs() {
 fn tables_and_toml_are_the_same_catalogue() {
     let tables = "worms_csv = \"catalogue/worms.csv\"\ndressers_csv = \"catalogue/dressers.csv\"";
     let text = example("catalogue.toml").replace("file = \"catalogue/bodies.toml\"", tables);
-    let directory = tempfile::tempdir_in(repository().join("examples")).unwrap();
+    let directory = tempfile::tempdir().unwrap();
     let inside = directory.path().join("job.toml");
-    std::fs::write(&inside, text.replace("catalogue/", "../catalogue/")).unwrap();
+    std::fs::write(&inside, text.replace("catalogue/", "")).unwrap();
+    for table in ["worms.csv", "dressers.csv"] {
+        let from = repository().join("examples/catalogue").join(table);
+        std::fs::copy(from, directory.path().join(table)).unwrap();
+    }
     let output = directory.path().join("out");
     let arguments = ["explore", inside.to_str().unwrap(), "--json", "-o", output.to_str().unwrap()];
     let of_tables = run(&arguments);
@@ -421,6 +425,35 @@ fn contradictions_of_a_job_with_catalogue_are_refused() {
             "catalogue.largest_stretch",
         ),
         (job.replace("largest_stretch", "largest_strech"), "unknown-key", "catalogue.largest_strech"),
+        (job.replace("[catalogue]", "[catalogue]\nplans = 4"), "invalid-job", "catalogue.plans"),
+        (
+            job.replace("[catalogue]", "[catalogue]\ncrowning_at = [0.0]"),
+            "invalid-job",
+            "catalogue.crowning_at",
+        ),
+        (
+            job.replace("[catalogue]", "[catalogue]\nrank_by = \"whole-target\"\nplans = 0"),
+            "invalid-number",
+            "catalogue.plans",
+        ),
+        (
+            job.replace("[catalogue]", "[catalogue]\nrank_by = \"whole-target\"\ncrowning_at = [0.0, 30.0]"),
+            "invalid-number",
+            "catalogue.crowning_at[1]",
+        ),
+        (
+            job.replace("[catalogue]", "[catalogue]\nrank_by = \"whole-target\"\ncrowning_at = [5.0, 5.0]"),
+            "invalid-number",
+            "catalogue.crowning_at[1]",
+        ),
+        (
+            job.replace("[catalogue]", "[catalogue]\nrank_by = \"whole-target\"").replace(
+                "[grid]",
+                "[explore]\ncatalogue = { free = \"threads\", from = 1, to = 3 }\n\n[grid]",
+            ),
+            "invalid-job",
+            "catalogue.rank_by",
+        ),
         (
             job.replace("[grid]", "[dressing]\nprofile_crowning_by = \"dresser\"\n\n[grid]"),
             "invalid-job",

@@ -85,3 +85,17 @@ pub fn write_job(directory: &Path, text: String, replacements: &[(&str, &str)]) 
     std::fs::write(&path, replaced(text, replacements)).expect("a file");
     path.to_str().expect("a path of UTF-8").to_owned()
 }
+
+/// `plan --json` of a text with replacements, written into `out` of a directory.
+pub fn plan_in(directory: &Path, text: String, replacements: &[(&str, &str)]) -> Run {
+    let path = write_job(directory, text, replacements);
+    let output = directory.join("out");
+    run(&["plan", &path, "-o", output.to_str().expect("a plain path"), "--json"])
+}
+
+/// The largest value of a figure over the flanks of a result.
+pub fn largest(result: &Value, key: &str) -> f64 {
+    let flanks = result["flanks"].as_object().expect("flanks");
+    assert!(!flanks.is_empty());
+    flanks.values().map(|flank| flank[key].as_f64().expect(key)).fold(0.0, f64::max)
+}

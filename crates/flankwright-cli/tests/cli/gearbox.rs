@@ -193,7 +193,14 @@ fn the_cheapest_set_up_is_accurate_enough_or_the_largest_part_is_named() {
         let accurate = um(set_up) <= 0.3;
         assert_eq!(set_up["feasible"], accurate, "{set_up}");
         assert!(!accurate || cost(set_up) >= cost(best), "{set_up}");
-        let parts = ["quantisation_um", "clock_um", "acceleration_um", "resolution_um", "rounding_um"];
+        let parts = [
+            "quantisation_um",
+            "clock_um",
+            "acceleration_um",
+            "resolution_um",
+            "rounding_um",
+            "measuring_um",
+        ];
         let sum: f64 = parts.map(|key| set_up[key].as_f64().unwrap()).iter().sum();
         assert!((sum - um(set_up)).abs() < 1e-12, "{set_up}");
     }
@@ -312,6 +319,159 @@ fn a_tolerance_judges_rotation_pulses_and_servo() {
     reasons(&target(&cheapest, 0.1), 3, "missed");
 }
 
+/// Whole pulses and voltage from the trace alone: pulses of both lines add up to the position, the voltage is that of the part.
+#[test]
+fn whole_pulses_and_voltage_are_the_rotation() {
+    let directory = tempfile::tempdir().unwrap();
+    let result = gearbox(&example("gearbox/whole-pulses-and-voltage.toml"), directory.path()).json();
+    let (split, pulses) = (&result["split"], &result["pulses"]);
+    let whole = |key: &str| split[key].as_i64().unwrap();
+    assert_eq!(whole("whole_pulses"), pulses["rotation_workpiece_pulses"].as_i64().unwrap());
+    assert_eq!(whole("part"), pulses["rotation_rest_parts"].as_i64().unwrap());
+    assert_eq!(whole("forward_pulses") - whole("backward_pulses"), whole("whole_pulses"));
+    let table = std::fs::read_to_string(directory.path().join("split.csv")).unwrap();
+    let (mut coarse, mut parts, mut seen) = (0.0, 0.0, 0);
+    let [mut least, mut greatest] = [0.02_f64 / 10.0; 2];
+    for line in table.lines().skip(1) {
+        let row: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
+        coarse += row[2];
+        assert_eq!(coarse, row[3], "{line}");
+        // One part a pulse, b is below 1.
+        let now = 16.0 * row[3] + row[4];
+        assert_eq!((now - parts).abs(), 1.0, "{line}");
+        parts = now;
+        // Six bits: sixteenths are whole steps; half a percent steeper, 20 mV up.
+        assert!((row[5] - (10.0 * row[4] / 16.0 * 1.005 + 0.02)).abs() < 1e-9, "{line}");
+        let off = row[5] / 10.0 - row[4] / 16.0;
+        (least, greatest) = (least.min(off), greatest.max(off));
+        seen += 1;
+    }
+    assert_eq!(seen, pulses["parts_turned"].as_i64().unwrap());
+    let um = result["coupling"]["flank_um_per_workpiece_pulse"].as_f64().unwrap();
+    let [found_least, found_greatest] = ends(&split["error"]);
+    assert!(
+        (found_least - least * um).abs() < 1e-9 && (found_greatest - greatest * um).abs() < 1e-9,
+        "{split}"
+    );
+}
+
+/// The screw's errors come back in the run, and a scale keeps the target that the screw misses.
+#[test]
+fn errors_of_scale_screw_and_encoder_reach_the_flank() {
+    let directory = tempfile::tempdir().unwrap();
+    let screw = gearbox(&example("gearbox/ball-screw-and-encoder.toml"), directory.path());
+    let scale = gearbox(&example("gearbox/scale-and-encoder.toml"), directory.path());
+    assert_eq!((screw.exit, scale.exit), (Some(3), Some(0)), "{} {}", screw.stderr, scale.stderr);
+    let result = screw.json();
+    assert_eq!(result["reason"]["code"], "rotation-misses-lead");
+    let along = &result["along_feed"];
+    assert_eq!(along["within_bound"], true, "{along}");
+    // Going down the lines are passed 4 um later: pulses stay ahead by the backlash.
+    let offset = along["direction_offset_um"].as_f64().unwrap();
+    assert!((offset - 4.0).abs() < 0.2, "{offset}");
+    // 12 um over 300 mm make 1.2 over 30; the wobble 3 either way; 4 of backlash.
+    let [least, greatest] = ends(&along["steady"]);
+    assert!(
+        (-1.2 - 3.0 - 0.8..-3.0).contains(&least) && (4.0..4.0 + 3.0 + 0.2).contains(&greatest),
+        "{along}"
+    );
+    // An eccentric disc: 2 um on a radius of 50 mm, at the flank with s_rot, twice from end to end.
+    let encoder = &result["errors"]["encoder"];
+    let eccentric = 2e-3 / 50.0 * result["coupling"]["flank_um_per_rad"].as_f64().unwrap();
+    let cumulative = encoder["cumulative_pitch_um"].as_f64().unwrap();
+    assert!((cumulative / (2.0 * eccentric) - 1.0).abs() < 0.02, "{cumulative} for {eccentric}");
+    let parts = result["errors"]["parts"].as_array().unwrap();
+    let sum: f64 = parts.iter().map(|part| part["flank_um"].as_f64().unwrap()).sum();
+    assert!((sum - result["errors"]["sum_flank_um"].as_f64().unwrap()).abs() < 1e-12);
+    assert_eq!(scale.json()["along_feed"]["within_bound"], true);
+    let tight = example("gearbox/scale-and-encoder.toml").replace("tolerance_um = 2.0", "tolerance_um = 1.8");
+    let tight = gearbox(&tight, directory.path());
+    assert_eq!((tight.exit, &tight.json()["reason"]["code"]), (Some(3), &"encoder-misses".into()));
+}
+
+/// The added parabola and wave have the amounts that the job asks for, and the servo follows them.
+#[test]
+fn added_rotation_has_its_amounts() {
+    let directory = tempfile::tempdir().unwrap();
+    let text = example("gearbox/added-rotation.toml");
+    let answer = gearbox(&text, directory.path());
+    assert_eq!(answer.exit, Some(0), "{}", answer.stderr);
+    let result = answer.json();
+    let [parabola, wave] = [0, 1].map(|i| ends(&result["corrections"][i]["flank"]));
+    assert!(parabola[0].abs() < 3e-3 && (parabola[1] - 8.0).abs() < 1e-3, "{parabola:?}");
+    assert!((wave[0] + 1.5).abs() < 2e-3 && (wave[1] - 1.5).abs() < 2e-3, "{wave:?}");
+    // A wave of 1.5 um once a turn of the worm, 600 1/min: 1.5 * 2 pi * 10 um/s over s_rot.
+    let speed = result["corrections"][1]["greatest_speed_deg_per_s"].as_f64().unwrap();
+    let wanted = (1.5 * std::f64::consts::TAU * 10.0
+        / result["coupling"]["flank_um_per_rad"].as_f64().unwrap())
+    .to_degrees();
+    assert!((speed / wanted - 1.0).abs() < 0.01, "{speed} for {wanted}");
+    let peak = result["servo"]["workpiece"]["peak_um"].as_f64().unwrap();
+    assert!(peak < 1.5, "{peak}");
+    // A table that ends with a slope inside the travel makes the speed jump.
+    let from = text.find("[[correction.curves]]").unwrap();
+    let to = text.find("[servo]").unwrap();
+    let steep = "[correction]\ncurves = [{ kind = \"table\", axis = \"feed\", spacing = 10.0, values_um = [0.0, 10.0, 20.0] }]\n";
+    let steep = gearbox(&format!("{}{steep}{}", &text[..from], &text[to..]), directory.path()).json();
+    let jump = steep["corrections"][0]["speed_jump_deg_per_s"].as_f64().unwrap();
+    // 1 um/mm at 15 mm/s.
+    let wanted = (15.0 / steep["coupling"]["flank_um_per_rad"].as_f64().unwrap()).to_degrees();
+    assert!((jump / wanted - 1.0).abs() < 1e-6, "{jump} for {wanted}");
+    assert!(steep["warnings"].as_array().unwrap().iter().any(|w| w["code"] == "correction-ends-steeply"));
+}
+
+/// Times by the rules of the specification, the counter by arithmetic.
+#[test]
+fn the_workpiece_comes_into_the_gap() {
+    let directory = tempfile::tempdir().unwrap();
+    let text = example("gearbox/into-the-gap.toml");
+    let answer = gearbox(&text, directory.path());
+    assert_eq!(answer.exit, Some(0), "{}", answer.stderr);
+    let e = answer.json()["engagement"].take();
+    let number = |key: &str| e[key].as_f64().unwrap();
+    let turns = 2990.0 / 60.0;
+    let ramp = 1.875 * (3.0 / 40.0 * 360.0 * turns) / 3600.0;
+    assert!((number("ramp_s") - ramp).abs() <= 1e-3, "{e}");
+    let way = number("phase_move_deg").abs();
+    let phase = (1.875 * way / 90.0).max((10.0 / 3f64.sqrt() * way / 3600.0).sqrt());
+    assert!((number("coupled_after_s") - number("ramp_s") - phase).abs() <= 2e-3, "{e}");
+    // 65536 counts a turn, a cycle of 1 ms.
+    let counts = turns * 65_536.0 * 1e-3;
+    assert_eq!(e["counts_a_cycle"].as_f64(), Some(counts.ceil()));
+    let cycles = (number("coupled_after_s") / 1e-3).round() + 1000.0 - 1.0;
+    assert!((number("counter_wraps") - (cycles * counts / 65_536.0).floor()).abs() <= 1.0, "{e}");
+    let [least, greatest] = ends(&e["miss"]);
+    // A count of the worm and a part of the workpiece, either way, twice.
+    let count = 3.0 / 40.0 * std::f64::consts::TAU / 65_536.0 + std::f64::consts::TAU / 576_000.0;
+    let most = 2.0 * count * 46_984.7;
+    assert!(least.abs().max(greatest) <= most && greatest - least > 0.1 * most, "{e}");
+    let narrow = gearbox(&text.replace("counter_bits = 16", "counter_bits = 12"), directory.path());
+    assert_eq!((narrow.exit, &narrow.json()["error"]["field"]), (Some(2), &"engagement.counter_bits".into()));
+}
+
+/// The interpolator keeps to its limits where the others do not; sine and cosine repeat their error at any speed.
+#[test]
+fn older_multipliers_stand_beside() {
+    let directory = tempfile::tempdir().unwrap();
+    let result = gearbox(&example("gearbox/older-multipliers.toml"), directory.path()).json();
+    let lines = result["compare"].as_array().unwrap();
+    assert_eq!(lines.len(), 3);
+    let um = |line: usize, key: &str| lines[line][key].as_f64().unwrap();
+    assert_eq!(ends(&lines[0]["whole"]), ends(&result["along_feed"]["whole"]));
+    // The loop of 20 Hz needs time at each change of speed; the lag a/w^2 at 50 mm/s^2 is 3.2 um.
+    let lag = 50.0 / (std::f64::consts::TAU * 20.0f64).powi(2) * 1e3;
+    let [least, greatest] = ends(&lines[1]["whole"]);
+    assert!(least < -lag && greatest > lag, "{least} {greatest} for {lag}");
+    assert!(um(1, "flank_um") > um(0, "flank_um") || um(1, "steady_flank_um") > um(0, "steady_flank_um"));
+    // Offsets of 1 %, amplitudes 2 % and a phase of 1 degree: up to sqrt(2) 0.01 + 0.01 + 0.0175 rad of a line of 10 um.
+    let [least, greatest] = ends(&lines[2]["steady"]);
+    let most = (2f64.sqrt() * 0.01 + 0.01 + 1f64.to_radians()) / std::f64::consts::TAU * 10.0;
+    assert!(
+        greatest - least < 2.0 * most + 0.625 + 0.01 && greatest - least > 0.625 + 0.5 * most,
+        "{least} {greatest} {most}"
+    );
+}
+
 #[test]
 fn bad_input_names_the_key() {
     let motion = example("gearbox/feed-to-and-fro.toml");
@@ -337,6 +497,34 @@ fn bad_input_names_the_key() {
         (train("[100, 200]", "[1, 2]"), "bad-reference-train", "stimulus.reference_signs[1]"),
         (coarse, "coefficient-too-large", "workpiece.pulses_per_revolution"),
         (motion.clone() + "[target]\ntolerance_um = 0.0\n", number, "target.tolerance_um"),
+        (
+            motion.clone()
+                + "[errors]\nscale = { periodic = [{ amplitude_um = 1000.0, period_mm = 1.0 }] }\n",
+            "bad-parameter",
+            "errors.scale",
+        ),
+        (
+            motion.clone() + "[engagement]\nphase_speed_deg_per_s = 90.0\nacceleration_deg_per_s2 = 3600.0\n",
+            "invalid-job",
+            "engagement",
+        ),
+        (
+            motion.clone()
+                + "[correction]\ncurves = [{ kind = \"table\", axis = \"worm\", spacing = 180.0, values_um = [0.0, 1.0, 0.0], ends = \"periodic\" }]\n",
+            "invalid-job",
+            "correction.curves[0].axis",
+        ),
+        (
+            servo.clone() + "[engagement]\nphase_speed_deg_per_s = 90.0\nacceleration_deg_per_s2 = 1e-6\n",
+            "invalid-job",
+            "engagement.acceleration_deg_per_s2",
+        ),
+        (
+            motion.replace("to = 6.0", "to = 9000.0")
+                + "[split]\nvolts_per_pulse = 1.0\n[output]\nsplit_trace = true\n",
+            "trace-too-long",
+            "output.split_trace",
+        ),
         (motion.replace("teeth = 40", "teeth = 0"), number, "gear.teeth"),
         (motion.replace("normal_module = 2.5", "normal_module = 0.0"), number, "gear.normal_module"),
         (motion.replace("helix_angle_deg = 20.0", "helix_angle_deg = 90.0"), number, "gear.helix_angle_deg"),

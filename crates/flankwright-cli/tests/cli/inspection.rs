@@ -136,10 +136,12 @@ fn what_does_not_go_together_is_refused() {
     for (arguments, code, told) in [
         (&["--job", "examples/inspection/measured.toml"][..], "missing-key", "inspection.simulated"),
         (&["--job", "examples/skiving/internal-ring.toml"], "missing-key", "switching angles"),
+        (&["--job", "examples/inspection/milled.toml"], "missing-key", "name the file"),
+        (&[measured, "--job", "examples/milling/spiral-bevel-15.toml"], "invalid-table", "row"),
         (
-            &[measured, "--job", "examples/milling/spur-module-8.toml"],
+            &[measured, "--job", "examples/gearbox/feed-to-and-fro.toml"],
             "process-not-available",
-            "generating-grinding",
+            "five-axis-milling",
         ),
         (&["none.mka"], "unreadable-file", "none.mka"),
         (&["README.md"], "unknown-value", ".mka"),
@@ -154,6 +156,23 @@ fn what_does_not_go_together_is_refused() {
     assert_eq!(run.exit, Some(2));
     assert!(run.message().contains("<FILE>"), "{}", run.message());
     assert_eq!(std::fs::read_dir(out).unwrap().count(), 0);
+}
+
+#[test]
+fn a_milled_gear_is_judged_and_answered() {
+    let directory = tempfile::tempdir().unwrap();
+    let arguments = ["examples/inspection/milled.csv", "--job", "examples/inspection/milled.toml"];
+    let judged = inspected(&arguments, directory.path());
+    assert_eq!(judged.exit, Some(3), "{judged:?}");
+    let text = std::fs::read_to_string(directory.path().join("result.json")).unwrap();
+    let result: Value = serde_json::from_str(&text).unwrap();
+    let proof = &result["rounds"][0]["correction"]["proof"]["left"];
+    let rms = |state: &str| proof[state]["rms_um"].as_f64().unwrap();
+    assert!(rms("after") < 0.4 * rms("before"), "{proof}");
+    assert_eq!(result["tolerance_class"], 8);
+    let corrected = directory.path().join("corrected-job.json").display().to_string();
+    let checked = run(&["check", &corrected]);
+    assert_eq!(checked.exit, Some(0), "{checked:?}");
 }
 
 #[test]

@@ -5,6 +5,7 @@ mod blanks;
 mod catalogue;
 mod command;
 mod commands;
+mod conditions;
 mod control;
 mod documents;
 mod every_key;

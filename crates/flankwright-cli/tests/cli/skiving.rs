@@ -348,6 +348,6 @@ fn commands_for_other_jobs_say_so() {
             "{command}"
         );
     }
-    let run = run(&["inspect", "readings.csv", "--job", "examples/milling/spur-module-8.toml", "--json"]);
+    let run = run(&["inspect", "readings.csv", "--job", "examples/gearbox/feed-to-and-fro.toml", "--json"]);
     assert_eq!((run.exit, &run.json()["error"]["field"]), (Some(2), &Value::from("job.process")));
 }

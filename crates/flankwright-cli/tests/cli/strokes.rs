@@ -1,21 +1,13 @@
 //! Dressing in strokes as a user runs it: planned, refereed, simulated again, refused.
 
-use crate::command::{Run, example, run, write_job};
+use crate::command::{Run, example, largest, plan_in, run};
 use serde_json::Value;
 use std::path::Path;
 
 /// The example with a coarse grid and the given replacements, run in a directory.
 fn plan(directory: &Path, replacements: &[(&str, &str)]) -> Run {
     let text = example("dressing/strokes.toml") + "\n[grid]\nprofile_points = 9\nhelix_points = 5\n";
-    let path = write_job(directory, text, replacements);
-    let output = directory.join("out");
-    run(&["plan", &path, "-o", output.to_str().unwrap(), "--json"])
-}
-
-fn largest(result: &Value, key: &str) -> f64 {
-    let flanks = result["flanks"].as_object().unwrap();
-    assert!(!flanks.is_empty());
-    flanks.values().map(|flank| flank[key].as_f64().unwrap()).fold(0.0, f64::max)
+    plan_in(directory, text, replacements)
 }
 
 #[test]

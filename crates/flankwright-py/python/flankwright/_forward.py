@@ -30,7 +30,7 @@ class Forward:
         helix_points: Points along the helix.
 
     Raises:
-        BadInput: a job of another process, bodies from a catalogue, a tool that is dressed in several strokes, a ratio that varies.
+        BadInput: a job of another process, or bodies from a catalogue.
         NotProducible: the bodies cannot make the target.
 
     Attributes:

@@ -3,13 +3,14 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use flankwright::exchange::{AnyJob, Job as GrindingJob, SkivingJob};
+use flankwright::exchange::{AnyJob, Job as GrindingJob, MillingJob, SkivingJob};
 use flankwright::numerics::Progress;
 use flankwright::workflow::inspection::series::{
     PartsOfFolder, SeriesOptions, inspect_series, measured_parts_in, write_inspection_series,
 };
 use flankwright::workflow::inspection::{
-    LeftOutFile, blank_of_file, inspect_for_job, inspect_gear, write_blank, write_gear_inspection,
+    LeftOutFile, blank_of_file, inspect_bevel, inspect_for_job, inspect_for_milling, inspect_gear,
+    write_bevel_inspection, write_blank, write_gear_inspection,
 };
 use flankwright::workflow::skiving::{inspect_skiving, write_skiving};
 use flankwright::workflow::{JobFailure, WriteError};
@@ -103,13 +104,28 @@ fn gears(
         None => measured_parts_in(folder)?,
     };
     let grinding = job.and_then(AnyJob::of::<GrindingJob>);
+    let milling = job.and_then(AnyJob::of::<MillingJob>);
+    if let (Some(loaded), [one]) =
+        (milling.filter(|loaded| loaded.job.bevel.is_some()), found.parts.as_slice())
+    {
+        let mut bevel = inspect_bevel(loaded, one, sheet.tolerance_class, progress)?;
+        bevel.language = language.unwrap_or(bevel.language);
+        write_bevel_inspection(&bevel, results).map_err(Unmeasured::Unwritten)?;
+        return Ok((json(&bevel.result)?, found.left_out));
+    }
     let mut gear = match (job, grinding, found.parts.as_slice()) {
         (None, _, [one]) => inspect_gear(one, statements, sheet.tolerance_class)?,
         (Some(_), Some(loaded), [one]) => {
             inspect_for_job(loaded, one, statements, sheet.tolerance_class, progress)?
         }
         (Some(_), Some(_), _) => return Err(several("the gear")),
-        (Some(_), None, _) => return Err(other_process()),
+        (Some(_), None, parts) => match (milling, parts) {
+            (Some(loaded), [one]) => {
+                inspect_for_milling(loaded, one, statements, sheet.tolerance_class, progress)?
+            }
+            (Some(_), _) => return Err(several("the gear")),
+            (None, _) => return Err(other_process()),
+        },
         (None, _, _) => {
             let options = SeriesOptions {
                 sheet: sheet.clone(),
@@ -152,8 +168,8 @@ fn blank(
 fn other_process() -> Unmeasured {
     let finding = Finding::new(
         "process-not-available",
-        "measured gears are compared with a job of generating grinding",
-        "leave the job out, or take the one by which the gear was ground",
+        "measured gears are compared with a job of generating grinding or five-axis milling",
+        "leave the job out, or take the one by which the gear was made",
     );
     Unmeasured::Wrong(Box::new(Failure::single(finding.field("job.process"))))
 }

@@ -4,15 +4,17 @@ use std::path::Path;
 
 use flankwright::exchange::catalogue::{read_catalogue, read_catalogue_tables};
 use flankwright::exchange::inspection::{
-    InspectionError, MeasuredTable, inspection_of, read_klingelnberg, read_measured_table,
+    GridSize, InspectionError, MeasuredTable, inspection_of, read_grid_table, read_klingelnberg,
+    read_measured_table,
 };
 use flankwright::exchange::machine::read_machine;
 use flankwright::exchange::milling_job::{BladePoints, BladeSide, read_point_grid};
 use flankwright::exchange::rexs::{RexsError, gear_ids, gear_of, read_rexs};
 use flankwright::exchange::skiving_history::read_history;
 use flankwright::exchange::{
-    JobError, job_template, read_any_job, read_grid_target, read_points, read_reference_train,
-    read_skiving_readings, read_stock, read_tolerances, read_traces,
+    JobError, job_template, read_any_job, read_grid_target, read_measured_worm, read_points,
+    read_probe_values, read_profile, read_reference_train, read_skiving_readings, read_stock,
+    read_tolerances, read_traces,
 };
 use verify::{VerifyError, VerifyOptions, verify_file};
 
@@ -145,14 +147,27 @@ pub fn all() -> Vec<Reader> {
             |path| Ok(read_tolerances(path)?.w_mm.len() * 4),
         ),
         reader("scattered points", "csv", grid(4, "f_um"), |path| Ok(read_points(path)?.len())),
+        reader("measured profile", "csv", file("fuzz/seeds/table/profile.csv"), |path| {
+            Ok(read_profile(path)?.len())
+        }),
         reader("points of a blade", "csv", file("fuzz/seeds/table/blade.csv"), blade),
         reader("measured traces", "csv", file("fuzz/seeds/measured_table/traces.csv"), measured),
         reader("measured fields", "csv", file("fuzz/seeds/measured_table/fields.csv"), measured),
+        reader("measured grid", "csv", file("fuzz/seeds/measured_table/grid.csv"), |path| {
+            Ok(read_grid_table(path, GridSize { teeth: 16, rows: 5, columns: 9 })?.len())
+        }),
         reader("readings", "csv", file("fuzz/seeds/table/readings.csv"), |path| {
             Ok(read_skiving_readings(path, TRACKS)?.len())
         }),
+        reader("values of a probe", "csv", file("fuzz/seeds/table/probe.csv"), |path| {
+            Ok(read_probe_values(path)?.len())
+        }),
         reader("stock", "csv", file("fuzz/seeds/table/stock.csv"), |path| {
             Ok(read_stock(path, 3)?.flanks.iter().flat_map(|(_, map)| map).map(|map| map.spaces()).sum())
+        }),
+        reader("a measured worm", "csv", file("fuzz/seeds/table/worm.csv"), |path| {
+            let points = read_measured_worm(path)?;
+            Ok(points.left.len() + points.right.len())
         }),
         reader("reference pulses", "csv", file("fuzz/seeds/table/train.csv"), |path| {
             Ok(read_reference_train(path)?.references().len())

@@ -272,3 +272,54 @@ fn damaged_scans_with_a_stylus_are_noticed() {
     let file = "programs/scan-siemens.mpf";
     tampered("external-stepped", file, Dialect::Siemens, "SCAN", ["; ", ""]);
 }
+
+/// Damages of a program that drives a mandrel: each way elsewhere, at another speed, unrecorded, or through the beam by rapid.
+#[test]
+fn damaged_calibrations_are_noticed() {
+    let (loaded, machine) = (job("external-stepped"), machine());
+    let check = SkivingCheck::new(&loaded, &machine).unwrap();
+    let programs = check.programs().unwrap();
+    let file = "programs/calibration-siemens.mpf";
+    let program = programs.iter().find(|program| program.file == file).unwrap();
+    let of = Sections::new(&program.written.text, "MANDREL");
+    assert!(matches!(answer(&check, Dialect::Siemens, &program.written.text), Answer::Accepted));
+    let mut random = random(file);
+    let damage = |k: usize, random: &mut ChaCha8Rng| {
+        let mut lines = of.lines.clone();
+        let section = below(random, of.ranges.len());
+        let (moving, outputs) = (of.moving(section), of.outputs(section));
+        // What moves between the outputs is recorded.
+        let recorded = *moving.iter().find(|&&k| k > outputs[0] && k < outputs[1]).unwrap();
+        let what = match k % 4 {
+            0 => {
+                let factor = [25.4, 60.0, 1.0 / 60.0, 1.01][below(random, 4)];
+                lines[recorded] = with(&lines[recorded], 'F', 6, |feed| feed * factor);
+                format!("line {} with {factor:.3} times its feed", recorded + 1)
+            }
+            1 => {
+                lines[recorded].clear();
+                format!("line {} dropped", recorded + 1)
+            }
+            2 => {
+                let at = outputs[below(random, outputs.len())];
+                lines[at].clear();
+                format!("line {} dropped", at + 1)
+            }
+            _ => {
+                // What the mandrel is beside its way shows in the switches.
+                let letter = ['X', 'Y'][below(random, 2)];
+                let by = sign(random) * between(random, [0.02, 2.0]);
+                for k in 0..lines.len() {
+                    lines[k] = with(&lines[k], letter, 6, |value| value + by);
+                }
+                format!("everything moved by {letter} {by:.3} mm")
+            }
+        };
+        Tampered { what, text: of.text(&lines) }
+    };
+    let damages: Vec<Tampered> = (0..COUNT).map(|k| damage(k, &mut random)).collect();
+    let style = (["; ", ""], &['X', 'Y', 'Z'][..]);
+    let edits: Vec<Tampered> = (0..COUNT).map(|k| harmless(k, &of.lines, style, &mut random)).collect();
+    all_accepted(&edits, |text| answer(&check, Dialect::Siemens, text));
+    all_noticed(&damages, |text| answer(&check, Dialect::Siemens, text));
+}

@@ -16,7 +16,10 @@ mod thickness;
 mod turned_body;
 mod worm;
 
-pub use bevel::{BevelData, BevelGear, CircularLine, FlankLine, Hand, Octoid, SphericalInvolute, Spiral};
+pub use bevel::{
+    BevelData, BevelGear, CircularLine, FlankLine, Hand, LineForm, Octoid, SphericalInvolute, Spiral,
+    TangentLine,
+};
 pub use blank::{Blank, BlankWarning, EvaluationLimits};
 pub use cutter::{Cutter, CutterShape, ShankStep, Support, in_tool};
 pub use error::GeometryError;
@@ -26,11 +29,13 @@ pub use rack::Rack;
 pub use revolution::{MeridianPoint, ProfileOffset, Revolution};
 pub use rolls::OverRolls;
 pub use sides::{Flank, Sides};
-pub use skiving_tool::{ConeRake, EdgeRounding, PlaneRake, RakeFace, SkivingTool, SphericalRake};
+pub use skiving_tool::{
+    ConeRake, EdgeRounding, PlaneRake, RakeChange, RakeFace, SkivingTool, SphericalRake, VariableRake,
+};
 pub use surface::{
     BladeCurve, BladeData, CylindricalCurve, EaseOff, EaseOffAmounts, Frustum, GridSurface, Helicoid,
-    Mirrored, Modified, NormalOffset, NormalSide, OffsetBase, OffsetBounds, RuledBlade, SecondOrder,
-    SplineCurve, Surface, SurfaceJet,
+    Mirrored, Modified, NormalOffset, NormalSide, OffsetBase, OffsetBounds, OffsetSum, RuledBlade,
+    SecondOrder, SplineCurve, Surface, SurfaceJet,
 };
 pub use thickness::{OverBalls, Span, ThicknessMeasure};
 pub use turned_body::TurnedBody;

@@ -170,15 +170,7 @@ impl MotionLaw {
                 }
                 Self::Polynomial { origin: *origin, coefficients }
             }
-            Self::Series(s) => {
-                let mut coefficients = s[0].coefficients().to_vec();
-                match coefficients.first_mut() {
-                    Some(first) => *first += by,
-                    None => coefficients.push(by),
-                }
-                let (from, to) = s[0].interval();
-                Self::series(Chebyshev::from_coefficients(from, to, coefficients))
-            }
+            Self::Series(s) => Self::series(s[0].raised(by)),
             Self::Pieces(p) => Self::Pieces(p.raised(by)),
             Self::BSpline { .. } => Self::Sum(vec![self.clone(), Self::polynomial(0.0, vec![by])]),
             Self::Sum(laws) => {

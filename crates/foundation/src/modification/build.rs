@@ -8,9 +8,11 @@ use super::formula::{Formula, FormulaError};
 use super::limits;
 use super::node::Node;
 use super::point_cloud::PointCloud;
+use super::profile_trace::{LEAST_POINTS, ProfileTrace};
 use super::spec::{
     CornerProfile, DirectedSpec, FlankChoice, FormulaSpec, GridSpec, HelixTracesSpec, ModificationSpec,
-    PointMethod, PointsSpec, PolynomialSpec, Reference, ReliefSpec, TriangularSpec, WavinessSpec,
+    PointMethod, PointsSpec, PolynomialSpec, ProfileTraceSpec, Reference, ReliefSpec, TriangularSpec,
+    WavinessSpec,
 };
 use super::traces::Traces;
 use super::warning::ModificationWarning;
@@ -130,6 +132,7 @@ impl<'a> Builder<'a> {
             S::Grid(s) => self.grid(kind, s)?,
             S::Points(s) => self.points(kind, s)?,
             S::HelixTraces(s) => self.traces(kind, s)?,
+            S::ProfileTrace(s) => self.profile_trace(kind, s)?,
             S::Formula(s) => self.formula(kind, s)?,
             S::Sum(s) => {
                 transverse_only(kind, s.reference)?;
@@ -357,6 +360,40 @@ impl<'a> Builder<'a> {
             }
         };
         PointCloud::new(&points, surface).map(|cloud| Node::Points(Box::new(cloud))).ok_or(collinear)
+    }
+
+    fn profile_trace(&self, kind: &str, s: &ProfileTraceSpec) -> Built<Node> {
+        transverse_only(kind, s.reference)?;
+        let mut points = match &s.file {
+            Some(file) if !s.points.is_empty() => {
+                return invalid(kind, "file", format!("{file:?} beside points"), "one of the two");
+            }
+            Some(file) => self.files.profile(file).map_err(|reason| unavailable(kind, file, reason))?,
+            None => s.points.clone(),
+        };
+        for [w, f] in &mut points {
+            *w = number(kind, "points", *w, limits::LENGTH_MM)?;
+            *f = number(kind, "points", *f, limits::AMOUNT_UM)? * UM;
+        }
+        if points.len() < LEAST_POINTS {
+            let allowed = format!("{LEAST_POINTS} points or more");
+            return invalid(kind, "points", format!("a list of {}", points.len()), allowed);
+        }
+        let noise = match s.noise_um {
+            None => None,
+            Some(um) if um > 0.0 => Some(number(kind, "noise_um", um, limits::AMOUNT_UM)? * UM),
+            Some(um) => return invalid(kind, "noise_um", um.to_string(), "a number above 0"),
+        };
+        points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let (w, f): (Vec<f64>, Vec<f64>) = points.into_iter().map(|[w, f]| (w, f)).unzip();
+        covers(kind, "points", &w, self.field.roll())?;
+        match ProfileTrace::fit(&w, &f, noise) {
+            Ok(trace) => Ok(Node::ProfileTrace(Box::new(trace))),
+            Err(_) => {
+                let value = format!("{} points at few lengths of roll", w.len());
+                invalid(kind, "points", value, "points spread over the evaluation range")
+            }
+        }
     }
 
     fn exponent(&mut self, kind: &str, exponent: f64, transition: f64) -> Built<f64> {

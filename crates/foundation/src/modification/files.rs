@@ -30,6 +30,12 @@ pub trait ModificationFiles {
     /// # Errors
     /// One phrase that says why they can't be had.
     fn points(&self, file: &str) -> Result<Vec<[f64; 3]>, String>;
+
+    /// The profile (w mm, f um) in `file`.
+    ///
+    /// # Errors
+    /// One phrase that says why it can't be had.
+    fn profile(&self, file: &str) -> Result<Vec<[f64; 2]>, String>;
 }
 
 /// No files at hand: every reference to one is refused.
@@ -46,6 +52,10 @@ impl ModificationFiles for NoFiles {
     }
 
     fn points(&self, _file: &str) -> Result<Vec<[f64; 3]>, String> {
+        Err("files are not read here".into())
+    }
+
+    fn profile(&self, _file: &str) -> Result<Vec<[f64; 2]>, String> {
         Err("files are not read here".into())
     }
 }

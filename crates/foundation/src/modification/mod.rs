@@ -26,6 +26,7 @@ mod from_json;
 mod limits;
 mod node;
 mod point_cloud;
+mod profile_trace;
 mod smoothness;
 mod spec;
 mod tolerance_map;
@@ -44,7 +45,8 @@ pub use smoothness::Smoothness;
 pub use spec::{
     AmountSpec, Axis, CompositeSpec, CornerFace, CornerProfile, DirectedSpec, FlankChoice, FormulaSpec,
     GridSpec, HelixTracesSpec, HelixTwoArcSpec, MirrorSpec, ModificationSpec, PointMethod, PointsSpec,
-    PolynomialSpec, ProfileTwoArcSpec, Reference, ReliefSpec, ScaleSpec, TriangularSpec, WavinessSpec,
+    PolynomialSpec, ProfileTraceSpec, ProfileTwoArcSpec, Reference, ReliefSpec, ScaleSpec, TriangularSpec,
+    WavinessSpec,
 };
 pub use tolerance_map::ToleranceMap;
 pub use warning::ModificationWarning;
@@ -192,6 +194,11 @@ impl Modification {
     /// of them): such a modification can be put into the dresser.
     pub fn depends_on_profile_only(&self) -> bool {
         self.root.depends_on_profile_only()
+    }
+
+    /// Standard deviation at a length of roll of what is fitted to measured profiles, mm; 0 without any.
+    pub fn measured_deviation(&self, w: f64) -> f64 {
+        self.root.measured_variance(w).sqrt()
     }
 
     /// The parts that a sum consists of, sums inside sums opened; a modification that is no sum is its only part.

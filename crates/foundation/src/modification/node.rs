@@ -6,6 +6,7 @@ use super::curve::Curve;
 use super::error::EvaluationError;
 use super::formula::Formula;
 use super::point_cloud::PointCloud;
+use super::profile_trace::ProfileTrace;
 use super::smoothness::Smoothness;
 use super::traces::Traces;
 use super::waviness::Waviness;
@@ -29,6 +30,8 @@ pub(super) enum Node {
     Points(Box<PointCloud>),
     /// Traces along the face width, mm.
     Traces(Traces),
+    /// A measured profile.
+    ProfileTrace(Box<ProfileTrace>),
     /// Formula in um.
     Formula(Box<Formula>),
     /// Sum; empty = 0.
@@ -45,7 +48,9 @@ impl Node {
     #[inline]
     pub(super) fn value(&self, w: f64, z: f64) -> Result<f64, EvaluationError> {
         Ok(match self {
-            Node::Ridge { .. } | Node::Waviness(_) | Node::Points(_) => self.jet(w, z)?.f,
+            Node::Ridge { .. } | Node::Waviness(_) | Node::Points(_) | Node::ProfileTrace(_) => {
+                self.jet(w, z)?.f
+            }
             Node::Polynomial { origin, polynomial } => polynomial.value(w - origin[0], z - origin[1]),
             Node::Grid(spline) => spline.value(w, z),
             Node::Traces(traces) => traces.value(w, z),
@@ -75,6 +80,7 @@ impl Node {
             Node::Traces(traces) => traces.jet(w, z),
             Node::Formula(formula) => formula.jet(w, z) * UM,
             Node::Points(cloud) => cloud.jet(w, z)?,
+            Node::ProfileTrace(trace) => trace.jet(w),
             Node::Sum(children) => {
                 children.iter().try_fold(Jet2::default(), |sum, child| child.jet(w, z).map(|f| sum + f))?
             }
@@ -90,7 +96,7 @@ impl Node {
         match self {
             Node::Ridge { curve, .. } => curve.smoothness(),
             Node::Waviness(_) | Node::Polynomial { .. } => Smoothness::Cinf,
-            Node::Grid(_) | Node::Traces(_) => Smoothness::C2,
+            Node::Grid(_) | Node::Traces(_) | Node::ProfileTrace(_) => Smoothness::C2,
             Node::Formula(formula) => formula.smoothness(),
             Node::Points(cloud) => cloud.smoothness(),
             Node::Sum(children) | Node::Product(children) => {
@@ -116,7 +122,9 @@ impl Node {
             }
             // Written about the middle of the field, which is (w_m, z_m).
             Node::Formula(formula) => formula.polynomial()?.scale(UM),
-            Node::Waviness(_) | Node::Grid(_) | Node::Points(_) | Node::Traces(_) => return None,
+            Node::Waviness(_) | Node::Grid(_) | Node::Points(_) | Node::Traces(_) | Node::ProfileTrace(_) => {
+                return None;
+            }
             Node::Sum(children) => {
                 let mut sum = Polynomial2::constant(0.0);
                 for child in children {
@@ -148,11 +156,24 @@ impl Node {
             Node::Ridge { b, .. } => *b == 0.0,
             Node::Polynomial { polynomial, .. } => polynomial.terms().all(|term| term.1 == 0),
             Node::Waviness(_) | Node::Grid(_) | Node::Points(_) | Node::Traces(_) => false,
+            Node::ProfileTrace(_) => true,
             Node::Formula(formula) => formula.depends_on_profile_only(),
             Node::Sum(children) | Node::Product(children) => {
                 children.iter().all(Node::depends_on_profile_only)
             }
             Node::Scale(_, child) | Node::MirrorZ(child) => child.depends_on_profile_only(),
+        }
+    }
+
+    /// Variance at a length of roll of what is fitted to measured profiles, mm^2.
+    pub(super) fn measured_variance(&self, w: f64) -> f64 {
+        match self {
+            Node::ProfileTrace(trace) => trace.deviation_at(w).powi(2),
+            Node::Sum(children) => children.iter().map(|child| child.measured_variance(w)).sum(),
+            Node::Scale(factor, child) => factor * factor * child.measured_variance(w),
+            Node::MirrorZ(child) => child.measured_variance(w),
+            // A product with what is known only is not fitted to anything.
+            _ => 0.0,
         }
     }
 

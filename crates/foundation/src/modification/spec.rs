@@ -61,6 +61,8 @@ pub enum ModificationSpec {
     Points(PointsSpec),
     /// Helix traces at two or three lengths of roll, positive = material left.
     HelixTraces(HelixTracesSpec),
+    /// A profile as measured: a smooth curve fitted to points with noise, the same over the face width.
+    ProfileTrace(ProfileTraceSpec),
     /// Formula in the coordinates of the field, positive = material left.
     Formula(FormulaSpec),
     /// Sum of the children.
@@ -101,6 +103,7 @@ impl ModificationSpec {
             Self::Grid(_) => "grid",
             Self::Points(_) => "points",
             Self::HelixTraces(_) => "helix_traces",
+            Self::ProfileTrace(_) => "profile_trace",
             Self::Formula(_) => "formula",
             Self::Sum(_) => "sum",
             Self::Product(_) => "product",
@@ -145,6 +148,7 @@ impl ModificationSpec {
             Self::Grid(s) => (s.flank, s.reference),
             Self::Points(s) => (s.flank, s.reference),
             Self::HelixTraces(s) => (s.flank, s.reference),
+            Self::ProfileTrace(s) => (s.flank, s.reference),
             Self::Formula(s) => (s.flank, s.reference),
             Self::Sum(s) | Self::Product(s) => (s.flank, s.reference),
             Self::Scale(s) => (s.flank, s.reference),
@@ -164,6 +168,15 @@ pub enum FlankChoice {
     /// Both flanks.
     #[default]
     Both,
+}
+
+impl From<Flank> for FlankChoice {
+    fn from(flank: Flank) -> Self {
+        match flank {
+            Flank::Left => Self::Left,
+            Flank::Right => Self::Right,
+        }
+    }
 }
 
 impl FlankChoice {
@@ -433,6 +446,27 @@ pub struct HelixTracesSpec {
     /// A file that holds the traces, instead of the three lists.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
+    /// The flanks to which it applies.
+    #[serde(default, skip_serializing_if = "FlankChoice::is_default")]
+    pub flank: FlankChoice,
+    /// Always transverse: this kind has no `amount_*` to be divided.
+    #[serde(default, skip_serializing_if = "Reference::is_default")]
+    pub reference: Reference,
+}
+
+/// Points of a measured profile, given here or in a file.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ProfileTraceSpec {
+    /// Points [w mm, f um] that cover the evaluation range, at least 8.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub points: Vec<[f64; 2]>,
+    /// A CSV file with the columns w_mm and f_um, instead of the list.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// Standard deviation of a point, um; without it the scatter about the curve tells it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub noise_um: Option<f64>,
     /// The flanks to which it applies.
     #[serde(default, skip_serializing_if = "FlankChoice::is_default")]
     pub flank: FlankChoice,

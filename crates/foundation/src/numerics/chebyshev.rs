@@ -118,6 +118,16 @@ impl Chebyshev {
         Self { coefficients: self.coefficients.iter().map(|c| c * factor).collect(), ..*self }
     }
 
+    /// The series plus a constant.
+    pub fn raised(&self, by: f64) -> Self {
+        let mut coefficients = self.coefficients.clone();
+        match coefficients.first_mut() {
+            Some(first) => *first += by,
+            None => coefficients.push(by),
+        }
+        Self { coefficients, ..*self }
+    }
+
     /// What the nodes of an interpolation may miss: the sum of the last quarter of the coefficients.
     pub fn tail(&self) -> f64 {
         let count = self.coefficients.len();

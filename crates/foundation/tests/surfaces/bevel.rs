@@ -1,7 +1,9 @@
 //! Bevel flanks: octoid against reference and spherical involute, and pairs that mesh.
 
 use super::cases::{bevel_data, bevel_gear, number, reference, vector};
-use foundation::geometry::{BevelData, BevelGear, Flank, Hand, Octoid, SphericalInvolute, Spiral, Surface};
+use foundation::geometry::{
+    BevelData, BevelGear, Flank, FlankLine, Hand, LineForm, Octoid, SphericalInvolute, Spiral, Surface,
+};
 use foundation::numerics::brent;
 use nalgebra::{Rotation3, Vector3};
 use std::f64::consts::PI;
@@ -121,13 +123,13 @@ impl Member {
 }
 
 /// The largest distance of contact points of the first member from the flank of the second, mm.
-fn worst_of_pair(spiral: Option<f64>) -> f64 {
+fn worst_of_pair(spiral: Option<(f64, LineForm)>) -> f64 {
     let input = &reference()["cases"]["straight_bevel"]["input"];
     let (z_1, z_2) = (16u32, 24u32);
     let delta_1 = f64::from(z_1).atan2(f64::from(z_2));
     let delta_2 = PI / 2.0 - delta_1;
     let data = |teeth, pitch_angle, hand| {
-        let spiral = spiral.map(|mean_angle| Spiral { mean_angle, cutter_radius: 60.0, hand });
+        let spiral = spiral.map(|(mean_angle, form)| Spiral { mean_angle, form, hand });
         BevelData { teeth, pitch_angle, spiral, ..bevel_data(input) }
     };
     // The axis of the second lies on the other side of the pitch line (0, sin delta_1, cos delta_1); its y points back.
@@ -175,6 +177,53 @@ fn straight_pairs_are_conjugate() {
 
 #[test]
 fn spiral_pairs_are_conjugate() {
-    let worst = worst_of_pair(Some(35f64.to_radians()));
-    assert!(worst < 2e-13, "{worst:e}");
+    for form in [
+        LineForm::Circle { radius: 60.0 },
+        LineForm::Epicycloid { radius: 60.0, groups: 5.0 },
+        LineForm::Straight,
+        LineForm::Involute,
+    ] {
+        let worst = worst_of_pair(Some((35f64.to_radians(), form)));
+        assert!(worst < 2e-13, "{form:?}: {worst:e}");
+    }
+}
+
+/// A blade on a head that turns while the crown gear does, z_0 spaces of it for each turn, leaves the line of the flank.
+#[test]
+fn an_epicycloid_is_what_a_blade_leaves_on_the_turning_crown_gear() {
+    let spiral = Spiral {
+        mean_angle: 0.6,
+        form: LineForm::Epicycloid { radius: 70.0, groups: 5.0 },
+        hand: Hand::Left,
+    };
+    let gear = BevelGear::new(BevelData { spiral: Some(spiral), ..BevelData::new(5.0, 24, 0.8, 0.35, 25.0) })
+        .unwrap();
+    let (mean, crown_teeth) = (gear.mean_distance(), 24.0 / 0.8f64.sin());
+    let line = gear.line();
+    // The head's axis stands still and the crown gear turns against the head: as seen from the crown gear the blade runs at
+    // (head + crown) about the head's axis and with the crown's turn about the apex.
+    let FlankLine::Circular(circle) = line else { panic!("{line:?}") };
+    let centre = circle.centre_distance();
+    let mut before: Option<[f64; 2]> = None;
+    for k in 0..400 {
+        let head = 1.2 + 0.004 * f64::from(k);
+        let crown = head * 5.0 / crown_teeth;
+        // At rest: the blade on its circle about (centre, 0).
+        let at = [centre + 70.0 * head.cos(), -70.0 * head.sin()];
+        let (distance, angle) = (at[0].hypot(at[1]), at[1].atan2(at[0]) - crown);
+        if (distance - mean).abs() > 12.0 {
+            before = None;
+            continue;
+        }
+        // Hand left: the section turns against the angle.
+        let turn = line.angle(distance) * 0.8f64.sin();
+        if let Some([angle_before, turn_before]) = before {
+            let (is, wanted) = (angle - angle_before, turn_before - turn);
+            assert!((is.abs() - wanted.abs()).abs() < 1e-12 && is.abs() > 1e-6, "{k}: {is} {wanted}");
+        }
+        before = Some([angle, turn]);
+    }
+    assert!(before.is_none(), "the whole face was walked");
+    let slope = line.derivatives(mean)[1] * mean * 0.8f64.sin();
+    assert!((slope + 0.6f64.tan()).abs() < 1e-12, "{slope}");
 }

@@ -2,8 +2,8 @@
 
 use foundation::geometry::{
     BevelData, BevelGear, BladeData, CylindricalCurve, EaseOff, EaseOffAmounts, Flank, FlankLine, Gear,
-    GearData, GridSurface, Hand, Helicoid, Mirrored, Modified, NormalSide, Octoid, OffsetBase, RuledBlade,
-    Sides, SphericalInvolute, Spiral, SplineCurve, Surface,
+    GearData, GridSurface, Hand, Helicoid, LineForm, Mirrored, Modified, NormalSide, Octoid, OffsetBase,
+    RuledBlade, Sides, SphericalInvolute, Spiral, SplineCurve, Surface,
 };
 use foundation::numerics::{CubicSpline, equidistant};
 use nalgebra::Vector3;
@@ -51,7 +51,7 @@ pub fn bevel_data(input: &Value) -> BevelData {
         assert_eq!(number(&input["hand"]), 1.0);
         data.spiral = Some(Spiral {
             mean_angle: angle("beta_m_deg"),
-            cutter_radius: number(&input["rc"]),
+            form: LineForm::Circle { radius: number(&input["rc"]) },
             hand: Hand::Right,
         });
     }
@@ -132,7 +132,8 @@ pub fn samples() -> Vec<Sample> {
     let spiral = bevel_gear("spiral_bevel");
     add("spiral left", Arc::new(SphericalInvolute::new(&spiral, Flank::Left)), [0.1, 0.75], [66.0, 98.0]);
     let mut data = bevel_data(&input("spiral_bevel"));
-    data.spiral = data.spiral.map(|s| Spiral { hand: Hand::Left, cutter_radius: 90.0, ..s });
+    data.spiral =
+        data.spiral.map(|s| Spiral { hand: Hand::Left, form: LineForm::Circle { radius: 90.0 }, ..s });
     let other = BevelGear::new(data).unwrap();
     add(
         "spiral right, left-handed",
@@ -140,6 +141,15 @@ pub fn samples() -> Vec<Sample> {
         [0.1, 0.75],
         [66.0, 98.0],
     );
+    for (name, form) in [
+        ("skew", LineForm::Straight),
+        ("palloid", LineForm::Involute),
+        ("epicycloid", LineForm::Epicycloid { radius: 80.0, groups: 5.0 }),
+    ] {
+        data.spiral = data.spiral.map(|s| Spiral { form, ..s });
+        let gear = BevelGear::new(data).unwrap();
+        add(name, Arc::new(SphericalInvolute::new(&gear, Flank::Left)), [0.1, 0.75], [84.0, 98.0]);
+    }
     let knots = equidistant([60.0, 105.0], 10);
     let turns: Vec<f64> = knots.iter().map(|r| 0.4 * (r / 30.0).sin()).collect();
     let line = FlankLine::Spline(CubicSpline::new(&knots, &turns).unwrap());

@@ -3,8 +3,8 @@
 use super::cases::{bevel_data, blade_data, cylindrical_gear, reference};
 use foundation::geometry::{
     BevelData, BevelGear, BladeData, CylindricalCurve, EaseOff, EaseOffAmounts, Flank, FlankLine,
-    GeometryError, GridSurface, Hand, Helicoid, NormalSide, Octoid, RuledBlade, SphericalInvolute, Spiral,
-    SplineCurve,
+    GeometryError, GridSurface, Hand, Helicoid, LineForm, NormalSide, Octoid, RuledBlade, SphericalInvolute,
+    Spiral, SplineCurve,
 };
 use foundation::numerics::CubicSpline;
 use nalgebra::Vector3;
@@ -24,7 +24,9 @@ fn refused(data: BevelData) -> GeometryError {
 fn bevel_input_that_is_no_gear() {
     let good = straight();
     assert!(BevelGear::new(good).is_ok());
-    let spiral = |mean_angle, cutter_radius| Some(Spiral { mean_angle, cutter_radius, hand: Hand::Right });
+    let spiral = |mean_angle, cutter_radius| {
+        Some(Spiral { mean_angle, form: LineForm::Circle { radius: cutter_radius }, hand: Hand::Right })
+    };
     for data in [
         BevelData { outer_transverse_module: 0.0, ..good },
         BevelData { outer_transverse_module: f64::NAN, ..good },
@@ -65,7 +67,7 @@ fn bevel_limits() {
         matches!(error, GeometryError::BevelToothPointed { half_angle_deg } if half_angle_deg <= 0.0),
         "{error}"
     );
-    let short = Spiral { mean_angle: 0.6, cutter_radius: 12.0, hand: Hand::Right };
+    let short = Spiral { mean_angle: 0.6, form: LineForm::Circle { radius: 12.0 }, hand: Hand::Right };
     let error = refused(BevelData { spiral: Some(short), ..good });
     assert!(matches!(error, GeometryError::FlankLineOutOfReach { from, to, .. } if from < to), "{error}");
 

@@ -1,6 +1,9 @@
 //! Contradictions between entries of a job of the electronic gearbox that are each in range.
 
-use super::{GearboxExplore, GearboxJob, Move, Stimulus, extent};
+use super::{
+    AddedRotation, CorrectionAxis, GearboxCorrection, GearboxExplore, GearboxJob, Move, Stimulus, TableEnds,
+    extent,
+};
 use job::checks::{contradiction, name};
 use job::control::check_servo;
 use job::{Diagnostic, Problem, shown_number};
@@ -18,10 +21,139 @@ pub(crate) fn check(job: &GearboxJob) -> Vec<Diagnostic> {
     if let Some(servo) = &job.servo {
         check_servo("servo", servo, job.worm.is_some(), &mut findings);
     }
+    measured(job, &mut findings);
+    corrections(job, &mut findings);
+    engagement(job, &mut findings);
+    if job.output.split_trace && job.split.is_none() {
+        findings.push(contradiction(
+            "there is no voltage to trace",
+            "output.split_trace",
+            "true".into(),
+            "false, or a table `split`",
+            "add `[split]` with volts_per_pulse, or leave `split_trace` out",
+        ));
+    }
     if let Some(explore) = &job.explore {
         exploration(explore, &job.stimulus, &mut findings);
     }
     findings
+}
+
+/// What belongs to a motion or to one of two readings.
+fn measured(job: &GearboxJob, findings: &mut Vec<Diagnostic>) {
+    let motion = job.stimulus.motion.is_some();
+    let nothing = |field: &str, allowed: &str, example: &str| {
+        Diagnostic::new(Problem::MissingKey, format!("`{field}` says nothing"))
+            .field(format!("{field}.{}", allowed.split(',').next().unwrap_or(allowed)))
+            .allowed(format!("one or more of {allowed}"))
+            .way_out(format!("add one, e.g. {example}, or leave the table out"))
+    };
+    if let Some(errors) = &job.errors {
+        if errors.scale.is_none() && errors.ball_screw.is_none() && errors.encoder.is_none() {
+            findings.push(nothing(
+                "errors",
+                "scale, ball_screw, encoder",
+                "scale = { slope_um_per_m = 3.0 }",
+            ));
+        }
+        if errors.scale.is_some() && errors.ball_screw.is_some() {
+            findings.push(contradiction(
+                "reference pulses come from a scale or from a ball screw, not from both",
+                "errors.ball_screw",
+                "beside `scale`".into(),
+                "no key beside `scale`",
+                "keep the one that the slide is measured by",
+            ));
+        }
+        for (key, given) in [("scale", errors.scale.is_some()), ("ball_screw", errors.ball_screw.is_some())] {
+            if given && !motion {
+                findings.push(contradiction(
+                    "a train of pulses has no position that lines could be off",
+                    format!("errors.{key}"),
+                    "beside a train of pulses".into(),
+                    "no key without `stimulus.motion`",
+                    "give the motion of the slide, or leave it out: the train has its errors in its ticks",
+                ));
+            }
+        }
+    }
+    if let Some(compare) = &job.compare {
+        if compare.pll.is_none() && compare.amplitude.is_none() {
+            findings.push(nothing("compare", "pll, amplitude", "pll = { bandwidth_hz = 50.0 }"));
+        }
+        if !motion {
+            findings.push(contradiction(
+                "a train of pulses has no position that a multiplier could be compared with",
+                "compare",
+                "beside a train of pulses".into(),
+                "no table without `stimulus.motion`",
+                "give the motion of the slide, or leave `compare` out",
+            ));
+        }
+    }
+}
+
+fn corrections(job: &GearboxJob, findings: &mut Vec<Diagnostic>) {
+    for (i, correction) in GearboxCorrection::curves(job.correction.as_ref()).iter().enumerate() {
+        let AddedRotation::Table { axis, values_um, ends, .. } = correction else { continue };
+        if *axis == CorrectionAxis::Worm && job.worm.is_none() {
+            findings.push(contradiction(
+                "the correction follows a worm, and there is none",
+                format!("correction.curves[{i}].axis"),
+                "worm".into(),
+                "feed, or worm with a table `worm`",
+                "add `[worm]`, or take axis = \"feed\"",
+            ));
+        }
+        if *axis == CorrectionAxis::Worm && *ends == TableEnds::Natural {
+            findings.push(contradiction(
+                "a worm turns without end, its table has ends",
+                format!("correction.curves[{i}].ends"),
+                "natural".into(),
+                "periodic for axis = \"worm\"",
+                "give the values of whole turns, the last as the first, and ends = \"periodic\"",
+            ));
+        }
+        if let (TableEnds::Periodic, Some(first), Some(last)) = (ends, values_um.first(), values_um.last())
+            && first != last
+        {
+            findings.push(contradiction(
+                "a table that repeats ends with another value than it begins with",
+                format!("correction.curves[{i}].values_um[{}]", values_um.len() - 1),
+                shown_number(*last),
+                &format!("{}, the first value", shown_number(*first)),
+                "repeat the first value as the last, or take ends = \"natural\"",
+            ));
+        }
+    }
+}
+
+/// An engagement needs a worm, and its counter has to be read before it has gone half its range.
+fn engagement(job: &GearboxJob, findings: &mut Vec<Diagnostic>) {
+    let Some(engagement) = &job.engagement else { return };
+    let Some(worm) = &job.worm else {
+        findings.push(contradiction(
+            "there is no worm to engage with",
+            "engagement",
+            "beside no worm".into(),
+            "no table without `worm`",
+            "add `[worm]`, or leave `engagement` out",
+        ));
+        return;
+    };
+    let counts = worm.speed_rpm / 60.0 * f64::from(worm.pulses_per_revolution) * 1e-6 * engagement.cycle_us;
+    let least = counts.ceil().max(1.0).log2().floor() as u32 + 2;
+    if engagement.counter_bits < least {
+        findings.push(contradiction(
+            &format!(
+                "the worm makes {counts:.1} counts a cycle, half the range of its counter and more: no reading tells which way"
+            ),
+            "engagement.counter_bits",
+            engagement.counter_bits.to_string(),
+            &format!("{least} to 63"),
+            "take a wider counter, or a shorter cycle",
+        ));
+    }
 }
 
 fn one_stimulus(stimulus: &Stimulus, findings: &mut Vec<Diagnostic>) {

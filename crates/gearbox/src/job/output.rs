@@ -13,4 +13,6 @@ pub struct GearboxOutput {
     pub language: Language,
     /// Every pulse as a table.
     pub pulse_trace: bool,
+    /// Every change of whole pulses and voltage as a table; with the table `split`.
+    pub split_trace: bool,
 }

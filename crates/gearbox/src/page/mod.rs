@@ -1,6 +1,7 @@
 //! The page of the electronic gearbox, composed from its result: counters, errors beside their bounds, budget, servo, set-ups to choose
 //! from. Timing stays out of it, so that the same job gives the same bytes.
 
+mod additions;
 mod answer;
 mod bands;
 mod budget;
@@ -55,9 +56,11 @@ fn sections(outcome: &GearboxOutcome) -> Result<Vec<Section>, ChartError> {
     }
     sections.push(Section::new("errors", "Errors", errors::blocks(result, &outcome.run.bins)?));
     if let Some(budget) = &result.budget {
-        let table = budget::table(budget, result.coupling.flank_um_per_feed_um);
+        let measuring_um = result.errors.as_ref().map(|errors| errors.sum_flank_um);
+        let table = budget::table(budget, result.coupling.flank_um_per_feed_um, measuring_um);
         sections.push(Section::new("error-budget", "Error budget", vec![Block::Table(table)]));
     }
+    sections.extend(additions::sections(outcome)?);
     if let (Some(servo), Some(record)) = (&result.servo, &outcome.servo) {
         let blocks = servo::blocks(servo, record, result.coupling.flank_um_per_rad)?;
         sections.push(Section::new(

@@ -3,7 +3,8 @@
 
 use super::figures::{budget, counting};
 use super::finding::of_feed;
-use super::prepare::{Chain, Driven, Offer, Offers, SetUp};
+use super::measuring::measuring;
+use super::prepare::{Chain, Driven, Measured, Offer, Offers, SetUp};
 use super::result::{BestSetUpResult, ExploreResult, SetUpResult};
 use control::Extremes;
 use electronic_gearbox::Error as GearboxError;
@@ -24,14 +25,17 @@ pub(super) fn explore(
     offers: &Offers,
     chain: &Chain,
     driven: &Driven,
+    measured: &Measured,
     progress: &dyn Progress,
 ) -> Result<(ExploreResult, Option<Remark>), RunFailure> {
     progress.start("set-ups", offers.all.len() as u64);
     // Distance of the outermost lines; the scales to choose from have the same slide.
     let travel = driven.travel(&chain.interpolation);
+    // The same for all: scale and encoder to choose from are taken to be as good as those of the job.
+    let measuring_um = measuring(measured, chain, driven).map_or(0.0, |errors| errors.sum_flank_um);
     let mut judged: Vec<(SetUp, SetUpResult)> = Vec::with_capacity(offers.all.len());
     for offer in &offers.all {
-        judged.push((offer.set_up, judge(offer, offers, chain, travel)?));
+        judged.push((offer.set_up, judge(offer, offers, chain, [travel, measuring_um])?));
         progress.advance(1);
     }
     progress.finish();
@@ -62,7 +66,12 @@ pub(super) fn explore(
 }
 
 /// The budget of one set-up.
-fn judge(offer: &Offer, offers: &Offers, chain: &Chain, travel: f64) -> Result<SetUpResult, RunFailure> {
+fn judge(
+    offer: &Offer,
+    offers: &Offers,
+    chain: &Chain,
+    [travel, measuring_um]: [f64; 2],
+) -> Result<SetUpResult, RunFailure> {
     let Offer { set_up: offered, cost } = offer;
     let gear = &chain.gear;
     let interpolation = offered.interpolation()?;
@@ -84,6 +93,7 @@ fn judge(offer: &Offer, offers: &Offers, chain: &Chain, travel: f64) -> Result<S
         acceleration_um: flank(budget.acceleration),
         resolution_um,
         rounding_um: None,
+        measuring_um,
         flank_um: None,
         greatest_speed_mm_per_min: 60.0 * budget.greatest_speed,
         feasible: false,
@@ -96,7 +106,7 @@ fn judge(offer: &Offer, offers: &Offers, chain: &Chain, travel: f64) -> Result<S
             let counted = (0.5 * (above - below) - 0.5) * part_um;
             let word = rotation.error_per_metre(interpolation.pitch / p).abs() * 1e-3 * travel;
             let rounding = counted + word * gear.flank_per_angle();
-            let sum = budget.flank_um + resolution_um + rounding;
+            let sum = budget.flank_um + resolution_um + rounding + measuring_um;
             (set_up.rounding_um, set_up.flank_um) = (Some(rounding), Some(sum));
             set_up.refused = if budget.speed > budget.greatest_speed {
                 Some("interpolator-too-fast")
@@ -181,6 +191,11 @@ fn nothing(set_ups: &[SetUpResult], offers: &Offers) -> Remark {
             "the rounding of the rotation",
             rounding,
             "take rate = \"exact\", or offer an encoder with more pulses per revolution",
+        ),
+        (
+            "what is measured wrongly",
+            best.measuring_um,
+            "take a better scale or ball screw, or centre the encoder",
         ),
     ];
     let mut largest = parts[0];

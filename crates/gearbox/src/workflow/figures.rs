@@ -78,6 +78,21 @@ pub(super) fn pulses(
     }
 }
 
+/// Limits along the feed widened by what the lines of the scale are off over the motion, mm.
+pub(super) fn with_lines(limits: Option<Extremes>, driven: &Driven, pitch: f64) -> Option<Extremes> {
+    let (limits, motion) = (limits?, driven.motion.as_ref()?);
+    let lines = motion.line_errors();
+    if lines.is_none() {
+        return Some(limits);
+    }
+    // A line that is displaced upwards is passed late: pulses stay behind the slide.
+    let (off, uneven) = (motion.line_limits(), lines.unevenness(pitch));
+    Some(Extremes {
+        least: limits.least - off.greatest - uneven,
+        greatest: limits.greatest - off.least + uneven,
+    })
+}
+
 /// The budget of an interpolation, that of the chain or another one, for one speed (mm/s), least speed and acceleration (mm/s^2).
 ///
 /// # Errors

@@ -2,7 +2,9 @@
 //! the motor of the servo, and the set-ups to choose from.
 
 use super::remarks::torque_limited;
-use super::result::{AlongFeedResult, AngleResult, ExploreResult, ServoResult};
+use super::result::{
+    AlongFeedResult, AngleResult, EncoderResult, EngagementResult, ExploreResult, ServoResult, SplitResult,
+};
 use verdict::{Remark, Verdict};
 
 /// What was found.
@@ -15,6 +17,12 @@ pub(super) struct Judged<'a> {
     pub angle: Option<&'a AngleResult>,
     /// What the servo leaves.
     pub servo: Option<&'a ServoResult>,
+    /// What the encoder of the workpiece leaves on the teeth.
+    pub encoder: Option<&'a EncoderResult>,
+    /// Whole pulses and voltage.
+    pub split: Option<&'a SplitResult>,
+    /// How the workpiece came into the gap.
+    pub engagement: Option<&'a EngagementResult>,
     /// The set-ups, and why none of them is accurate enough.
     pub explored: Option<(&'a ExploreResult, Option<&'a Remark>)>,
 }
@@ -23,6 +31,9 @@ const COUPLING: &str = "rotation at the flank over the whole motion";
 const PULSES: &str = "pace of the pulses";
 const SERVO: &str = "workpiece behind its servo";
 const MOTOR: &str = "torque of the servo";
+const ENCODER: &str = "teeth as the encoder divides them";
+const VOLTAGE: &str = "voltage of the part of a pulse";
+const GAP: &str = "workpiece in the gap of the worm";
 const SET_UPS: &str = "set-ups to choose from";
 
 /// The verdict of a run against a tolerance, if there is one.
@@ -32,8 +43,15 @@ pub(super) fn verdict(tolerance_um: Option<f64>, found: &Judged<'_>) -> Verdict 
         Some(tolerance_um) => against(tolerance_um, found, &mut verdict),
         None => {
             let why = "the job gives no tolerance (target.tolerance_um)";
-            let items =
-                [Some(COUPLING), Some(PULSES), found.servo.map(|_| SERVO), found.servo.map(|_| MOTOR)];
+            let items = [
+                Some(COUPLING),
+                Some(PULSES),
+                found.encoder.map(|_| ENCODER),
+                found.split.map(|_| VOLTAGE),
+                found.engagement.map(|_| GAP),
+                found.servo.map(|_| SERVO),
+                found.servo.map(|_| MOTOR),
+            ];
             items.into_iter().flatten().for_each(|item| verdict.leave(item, why));
         }
     }
@@ -86,6 +104,7 @@ fn against(tolerance: f64, found: &Judged<'_>, verdict: &mut Verdict) {
             ),
         );
     }
+    additions(tolerance, found, verdict);
     if let Some(servo) = found.servo {
         let peak = servo.workpiece.peak_um;
         verdict.judge(SERVO, peak <= tolerance, format!("{peak:.4} of {tolerance} um"), || {
@@ -99,5 +118,45 @@ fn against(tolerance: f64, found: &Judged<'_>, verdict: &mut Verdict) {
             Some(reason) => verdict.missed(MOTOR, reason.text.clone(), reason),
             None => verdict.met(MOTOR, format!("{:.2} N m at most", servo.greatest_torque_n_m)),
         }
+    }
+}
+
+/// Encoder, voltage and gap against the tolerance.
+fn additions(tolerance: f64, found: &Judged<'_>, verdict: &mut Verdict) {
+    if let Some(encoder) = found.encoder {
+        // Its mean goes away with the centring.
+        let half = 0.5 * encoder.cumulative_pitch_um;
+        verdict.judge(ENCODER, half <= tolerance, format!("{half:.4} of {tolerance} um"), || {
+            Remark::new(
+                "encoder-misses",
+                format!(
+                    "the encoder puts teeth off by {half:.3} um about their mean, {tolerance} um are allowed"
+                ),
+                "centre the disc of the encoder, take one with a larger graduation, or allow more",
+            )
+        });
+    }
+    let largest = |range: &super::result::RangeUm| range.greatest_um.max(-range.least_um);
+    if let Some(split) = found.split {
+        let error = largest(&split.error);
+        verdict.judge(VOLTAGE, error <= tolerance, format!("{error:.4} of {tolerance} um"), || {
+            Remark::new(
+                "voltage-misses",
+                format!("the voltage of the part of a pulse is off by {error:.3} um at the flank, {tolerance} um are allowed"),
+                "take a converter with more bits, adjust its offset and slope, take an encoder with more pulses, or allow more",
+            )
+        });
+    }
+    if let Some(engagement) = found.engagement {
+        let miss = largest(&engagement.miss);
+        verdict.judge(GAP, miss <= tolerance, format!("{miss:.4} of {tolerance} um"), || {
+            Remark::new(
+                "gap-missed",
+                format!(
+                    "the workpiece misses the gap by {miss:.3} um at the flank, {tolerance} um are allowed"
+                ),
+                "take an encoder of the worm with more pulses, or allow more",
+            )
+        });
     }
 }

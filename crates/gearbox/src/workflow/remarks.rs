@@ -1,11 +1,15 @@
 //! Warnings of a run: corrections still owed, modes and motors at their limits.
 
 use super::result::{AlongFeedResult, BudgetResult, GearboxSettingsResult, PulseFigures, ServoResult};
+use super::result::{CorrectionResult, SplitResult};
 use job::control::InterpolationMode;
 use verdict::Remark;
 
 /// Share of samples at the limit of the torque from which on the errors are those of the motor, not of the loop.
 const LIMITED: f64 = 1e-3;
+
+/// Jump of the speed, deg/s, from which on a table ends steeply: what an axis takes in a cycle of a millisecond at 10 deg/s^2.
+const JUMP: f64 = 0.01;
 
 /// What the figures say that someone should know.
 pub(super) fn warnings(
@@ -53,6 +57,33 @@ pub(super) fn warnings(
         });
     }
     warnings.extend(servo.and_then(torque_limited));
+    warnings
+}
+
+/// What corrections and voltage do that someone should know.
+pub(super) fn of_additions(corrections: &[CorrectionResult], split: Option<&SplitResult>) -> Vec<Remark> {
+    let jump = corrections.iter().map(|correction| correction.speed_jump_deg_per_s).fold(0.0, f64::max);
+    let mut warnings = Vec::new();
+    if jump > JUMP {
+        warnings.push(Remark::new(
+            "correction-ends-steeply",
+            format!("a table that is added ends with a slope: the speed of the workpiece jumps by {jump:.4} deg/s there"),
+            "let the table begin and end flat, or beyond the travel of the feed",
+        ));
+    }
+    if let Some(split) =
+        split.filter(|split| split.limits.greatest_um - split.limits.least_um > split.step_um)
+    {
+        warnings.push(Remark::new(
+            "converter-coarser-than-parts",
+            format!(
+                "the voltage is off by up to {:.3} um at the flank, more than one part of a workpiece pulse, {:.3} um",
+                split.limits.greatest_um.max(-split.limits.least_um),
+                split.step_um
+            ),
+            "take a converter with more bits, adjust its slope, or insert fewer pulses",
+        ));
+    }
     warnings
 }
 

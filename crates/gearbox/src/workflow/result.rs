@@ -38,6 +38,21 @@ pub struct GearboxResult {
     /// Additional rotation less that of the lead; absent for a train of pulses.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub angle: Option<AngleResult>,
+    /// What is measured wrongly; absent without `[errors]`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub errors: Option<MeasuringResult>,
+    /// Rotation that is added, in the order of the job.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub corrections: Vec<CorrectionResult>,
+    /// Whole pulses and voltage; absent without `[split]`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub split: Option<SplitResult>,
+    /// How the workpiece comes into the gap; absent without `[engagement]`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub engagement: Option<EngagementResult>,
+    /// The interpolator and older multipliers on the same motion; empty without `[compare]`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub compare: Vec<ComparedResult>,
     /// The servo; absent without `[servo]`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub servo: Option<ServoResult>,
@@ -212,6 +227,125 @@ pub struct AngleResult {
     pub within_bound: Option<bool>,
 }
 
+/// Errors of scale, ball screw and encoder, each as far as it can be off over the motion.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct MeasuringResult {
+    /// Part by part.
+    pub parts: Vec<MeasuringPart>,
+    /// Their sum at the flank.
+    pub sum_flank_um: f64,
+    /// What the encoder leaves on the teeth; absent without `errors.encoder`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub encoder: Option<EncoderResult>,
+}
+
+/// A part of the errors of what is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct MeasuringPart {
+    /// What it is.
+    pub name: &'static str,
+    /// Along the feed, against the place where the motion begins; absent for the encoder.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub along_feed_um: Option<f64>,
+    /// At the flank.
+    pub flank_um: f64,
+}
+
+/// What the encoder of the workpiece leaves on the teeth.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct EncoderResult {
+    /// Greatest error either way.
+    pub greatest_um: f64,
+    /// Least and greatest error of a tooth space, normal to the flank.
+    pub teeth: RangeUm,
+    /// Greatest difference of neighbours: single pitch deviation.
+    pub single_pitch_um: f64,
+    /// Greatest difference of any two: cumulative pitch deviation.
+    pub cumulative_pitch_um: f64,
+}
+
+/// Rotation that is added.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct CorrectionResult {
+    /// The axis that it depends on.
+    pub axis: &'static str,
+    /// Least and greatest over the motion, at the flank.
+    pub flank: RangeUm,
+    /// Greatest speed that it adds.
+    pub greatest_speed_deg_per_s: f64,
+    /// By how much the speed of the workpiece jumps at an end of the table, at the greatest speed of the feed.
+    pub speed_jump_deg_per_s: f64,
+    /// Half a part of a workpiece pulse, to which it is rounded, at the flank.
+    pub rounding_um: f64,
+}
+
+/// The rotation as whole pulses and a voltage.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SplitResult {
+    /// Whole workpiece pulses that went out forward.
+    pub forward_pulses: u64,
+    /// The same backward.
+    pub backward_pulses: u64,
+    /// Whole workpiece pulses at the end, rounded down.
+    pub whole_pulses: i64,
+    /// Parts 1/P at the end.
+    pub part: u32,
+    /// Their voltage.
+    pub voltage_v: f64,
+    /// One part at the flank.
+    pub step_um: f64,
+    /// Voltage less part over the run, at the flank.
+    pub error: RangeUm,
+    /// Limits of it over all parts.
+    pub limits: RangeUm,
+    /// What reading pulses and voltage at different instants costs at most: a whole workpiece pulse.
+    pub read_apart_um: f64,
+}
+
+/// How the workpiece came into the gap.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct EngagementResult {
+    /// Time until it runs along.
+    pub ramp_s: f64,
+    /// Way that it went meanwhile.
+    pub ramp_way_deg: f64,
+    /// Move into the gap.
+    pub phase_move_deg: f64,
+    /// Time until it is in phase.
+    pub coupled_after_s: f64,
+    /// Greatest speed of the workpiece.
+    pub greatest_speed_deg_per_s: f64,
+    /// Greatest acceleration of it.
+    pub greatest_acceleration_deg_per_s2: f64,
+    /// Workpiece less gap while coupled, at the flank: counts of the worm.
+    pub miss: RangeUm,
+    /// Greatest way of the counter of the worm in a cycle.
+    pub counts_a_cycle: i64,
+    /// How often that counter wrapped.
+    pub counter_wraps: u64,
+    /// How much of half its range it used; from 100 % on its way is not known.
+    pub counter_used_percent: f64,
+    /// Speed of the worm up to which it is known.
+    pub greatest_worm_speed_rpm: f64,
+}
+
+/// A multiplier on the motion.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ComparedResult {
+    /// How it multiplies.
+    pub multiplier: &'static str,
+    /// Shown position less slide, over the motion.
+    pub whole: RangeUm,
+    /// The same at constant speed; absent without such a stretch.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub steady: Option<RangeUm>,
+    /// Largest of the motion at the flank.
+    pub flank_um: f64,
+    /// Half the range at constant speed, at the flank: what a constant lag is not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub steady_flank_um: Option<f64>,
+}
+
 /// What the servo leaves.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ServoResult {
@@ -313,6 +447,8 @@ pub struct SetUpResult {
     /// Counting and rounding of the rotation, at the flank; absent if the coupling cannot be made.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rounding_um: Option<f64>,
+    /// Errors of what is measured, at the flank; 0 without `[errors]`.
+    pub measuring_um: f64,
     /// Sum of all parts; absent as `rounding_um`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flank_um: Option<f64>,

@@ -1,12 +1,13 @@
 //! `gearbox`: from a checked job to counters, errors and their budget, the servo and the choice of a set-up.
 
+use super::additions::{self, SplitChange, SplitFollower};
 use super::explore::explore;
 use super::finding::of_feed;
 use super::prepare::{Chain, Prepared, prepare};
 use super::result::GearboxResult;
-use super::{figures, following, judge, remarks};
+use super::{figures, following, judge, measuring, remarks};
 use crate::job::LoadedGearboxJob;
-use control::{FollowingRecord, InterpolationRun};
+use control::{EngagingRecord, FollowingRecord, InterpolationRun, MultiplierRun};
 use electronic_gearbox::pulse::TimedPulse;
 use foundation::numerics::Progress;
 use run::JobFailure;
@@ -26,6 +27,12 @@ pub struct GearboxOutcome {
     pub servo: Option<FollowingRecord>,
     /// Every pulse with the parts of rotation that it turned, where the job asks for it.
     pub trace: Option<Vec<(TimedPulse, i64)>>,
+    /// Every change of whole pulses and voltage, where the job asks for it.
+    pub split_trace: Option<Vec<SplitChange>>,
+    /// The engagement over time, where the job has one.
+    pub engaging: Option<EngagingRecord>,
+    /// Multipliers that were compared, in the order of the result behind its first line.
+    pub compared: Vec<MultiplierRun>,
 }
 
 /// Runs the gearbox on the stimulus of a job.
@@ -44,13 +51,20 @@ pub fn run_gearbox(loaded: &LoadedGearboxJob, progress: &dyn Progress) -> Result
     let begun = Instant::now();
     progress.start("interpolation", 1);
     let mut trace = prepared.traced.then(Vec::new);
+    let mut follower = match prepared.converter {
+        Some(converter) => Some(SplitFollower::new(chain, converter, prepared.split_traced)?),
+        None => None,
+    };
     let run = interpolation
         .run(
             &driven.references,
             driven.last_tick,
             driven.motion.as_ref(),
             Some(rotation),
-            &mut |pulse, turned| trace.iter_mut().for_each(|trace| trace.push((pulse, turned))),
+            &mut |pulse, turned| {
+                trace.iter_mut().for_each(|trace| trace.push((pulse, turned)));
+                follower.iter_mut().for_each(|follower| follower.pulse(pulse, turned));
+            },
         )
         .map_err(|error| on_field(&error, "workpiece.pulses_per_revolution"))?;
     progress.advance(1);
@@ -64,10 +78,15 @@ pub fn run_gearbox(loaded: &LoadedGearboxJob, progress: &dyn Progress) -> Result
             figures::budget(chain, interpolation, drive, least).map_err(|error| of_feed(&error))
         };
         budget = Some(figures::budget_result(&at([speed, acceleration], None)?, acceleration));
-        let limits = |budget| figures::limits(&budget, interpolation, &driven.references);
+        let limits = |budget| {
+            let limits = figures::limits(&budget, interpolation, &driven.references);
+            figures::with_lines(limits, driven, interpolation.pitch)
+        };
+        // Where lines are too far apart they pass more slowly, where they are too close faster.
+        let seen = speed * (1.0 + motion.line_errors().steepness());
         // A motion from rest to rest comes down to standstill; constant speed has no acceleration.
-        let whole = limits(at([speed, acceleration], Some(0.0))?);
-        let steady = limits(at([speed, 0.0], None)?);
+        let whole = limits(at([seen, acceleration], Some(0.0))?);
+        let steady = limits(at([seen, 0.0], None)?);
         along_feed = Some(figures::along_feed(&run, whole, steady, gear.flank_per_axial()));
         angle = figures::angle(&run, whole, chain, driven.travel(interpolation));
     }
@@ -86,12 +105,30 @@ pub fn run_gearbox(loaded: &LoadedGearboxJob, progress: &dyn Progress) -> Result
     let begun = Instant::now();
     let explored = match &prepared.offers {
         Some(offers) => {
-            let explored = explore(offers, chain, driven, progress)?;
+            let explored = explore(offers, chain, driven, &prepared.measured, progress)?;
             timing.insert("explore", begun.elapsed().as_secs_f64());
             Some(explored)
         }
         None => None,
     };
+
+    let (split, split_trace) = follower.map(|follower| follower.finish(chain)).unzip();
+    let corrections = additions::corrections(&prepared.corrections, chain, driven, prepared.worm_speed)?;
+    let begun = Instant::now();
+    let (mut engagement, mut engaged) = (None, None);
+    if let Some(engaging) = &prepared.engaging {
+        let record = engaging.run().map_err(|error| on_field(&error, "engagement"))?;
+        engagement = Some(additions::engagement(engaging, &record, chain));
+        engaged = Some(record);
+        timing.insert("engagement", begun.elapsed().as_secs_f64());
+    }
+    let begun = Instant::now();
+    let (mut compared, mut compared_runs) = (Vec::new(), Vec::new());
+    if let Some(wanted) = &prepared.compared {
+        (compared, compared_runs) = additions::comparison(wanted, &run, chain, driven)?;
+        timing.insert("comparison", begun.elapsed().as_secs_f64());
+    }
+    let errors = measuring::measuring(&prepared.measured, chain, driven);
 
     let settings = figures::settings(chain, driven);
     let pulses = figures::pulses(&run, interpolation, rotation);
@@ -101,6 +138,9 @@ pub fn run_gearbox(loaded: &LoadedGearboxJob, progress: &dyn Progress) -> Result
         along_feed: along_feed.as_ref(),
         angle: angle.as_ref(),
         servo: servo.as_ref(),
+        encoder: errors.as_ref().and_then(|errors| errors.encoder.as_ref()),
+        split: split.as_ref(),
+        engagement: engagement.as_ref(),
         explored: explored.as_ref().map(|(explored, reason)| (explored, reason.as_ref())),
     };
     let verdict = judge::verdict(prepared.tolerance_um, &judged);
@@ -112,6 +152,7 @@ pub fn run_gearbox(loaded: &LoadedGearboxJob, progress: &dyn Progress) -> Result
         along_feed.as_ref(),
         servo.as_ref(),
     ));
+    warnings.extend(remarks::of_additions(&corrections, split.as_ref()));
     let result = GearboxResult {
         job: prepared.info.name.clone(),
         process: prepared.info.process.name().to_owned(),
@@ -125,9 +166,23 @@ pub fn run_gearbox(loaded: &LoadedGearboxJob, progress: &dyn Progress) -> Result
         budget,
         along_feed,
         angle,
+        errors,
+        corrections,
+        split,
+        engagement,
+        compare: compared,
         servo,
         explore: explored.map(|(explored, _)| explored),
         timing_s: timing,
     };
-    Ok(GearboxOutcome { result, prepared, run, servo: servo_record, trace })
+    Ok(GearboxOutcome {
+        result,
+        prepared,
+        run,
+        servo: servo_record,
+        trace,
+        split_trace: split_trace.flatten(),
+        engaging: engaged,
+        compared: compared_runs,
+    })
 }

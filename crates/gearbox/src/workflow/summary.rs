@@ -56,6 +56,7 @@ fn summary(result: &GearboxResult, written: &[PathBuf]) -> String {
         p.too_fast, p.overruns, result.settings.greatest_speed_mm_per_min
     );
     errors(&mut text, result);
+    additions(&mut text, result);
     if let Some(servo) = &result.servo {
         of_servo(&mut text, servo);
     }
@@ -92,6 +93,55 @@ fn errors(text: &mut String, result: &GearboxResult) {
             "  down less up {} um along the feed, {} um at the flank",
             fixed(axial, 4),
             fixed(flank, 4)
+        );
+    }
+}
+
+/// What the job adds: what is measured wrongly, added rotation, voltage, engagement, other multipliers.
+fn additions(text: &mut String, result: &GearboxResult) {
+    let ends = |range: RangeUm| format!("{} to {} um", fixed(range.least_um, 4), fixed(range.greatest_um, 4));
+    if let Some(errors) = &result.errors {
+        let _ = writeln!(text, "  measured wrongly, at the flank up to {:.4} um", errors.sum_flank_um);
+        if let Some(encoder) = &errors.encoder {
+            let _ = writeln!(
+                text,
+                "  encoder on the teeth: single pitch {:.4} um, cumulative pitch {:.4} um, normal to the flank",
+                encoder.single_pitch_um, encoder.cumulative_pitch_um
+            );
+        }
+    }
+    for correction in &result.corrections {
+        let _ = writeln!(
+            text,
+            "  added over the {}: {} at the flank, up to {:.4} deg/s",
+            correction.axis,
+            ends(correction.flank),
+            correction.greatest_speed_deg_per_s
+        );
+    }
+    if let Some(split) = &result.split {
+        let _ = writeln!(
+            text,
+            "  {} whole pulses forward, {} backward, and {:.4} V; voltage off by {} at the flank",
+            split.forward_pulses,
+            split.backward_pulses,
+            split.voltage_v,
+            ends(split.error)
+        );
+    }
+    if let Some(e) = &result.engagement {
+        let _ = writeln!(
+            text,
+            "  in the gap after {:.4} s: ramp {:.4} s, move {:.4} deg; counter wrapped {} times, {} counts a cycle",
+            e.coupled_after_s, e.ramp_s, e.phase_move_deg, e.counter_wraps, e.counts_a_cycle
+        );
+    }
+    for compared in &result.compare {
+        let steady = compared.steady_flank_um.map_or_else(|| "none".to_owned(), |um| format!("{um:.4} um"));
+        let _ = writeln!(
+            text,
+            "  {}: {:.4} um at the flank, at constant speed {steady} about its mean",
+            compared.multiplier, compared.flank_um
         );
     }
 }

@@ -1,8 +1,9 @@
 //! Tables of a run of the electronic gearbox as CSV.
 
+use super::additions::SplitChange;
 use super::result::ExploreResult;
 use super::run::GearboxOutcome;
-use control::FollowingRecord;
+use control::{EngagingRecord, FollowingRecord};
 use electronic_gearbox::pulse::{PulseKind, TimedPulse};
 use job::{Cell, Column, CsvError, CsvTable};
 
@@ -90,6 +91,52 @@ pub fn pulses(trace: &[(TimedPulse, i64)], clock: f64) -> Result<CsvTable, CsvEr
     Ok(table)
 }
 
+/// Every change of whole workpiece pulses and voltage, with the pulses that went out.
+///
+/// # Errors
+/// A value that is not finite.
+pub fn split(trace: &[SplitChange], clock: f64) -> Result<CsvTable, CsvError> {
+    let mut table = CsvTable::new(&[
+        Column::new("tick", ""),
+        Column::new("time", "s"),
+        Column::new("coarse_pulses", ""),
+        Column::new("coarse", ""),
+        Column::new("fine", "parts"),
+        Column::new("voltage", "V"),
+    ]);
+    for change in trace {
+        table.push(&[
+            change.tick as f64,
+            change.tick as f64 / clock,
+            change.coarse_pulses as f64,
+            change.coarse as f64,
+            f64::from(change.fine),
+            change.volts,
+        ])?;
+    }
+    Ok(table)
+}
+
+/// The engagement over time.
+///
+/// # Errors
+/// A value that is not finite.
+pub fn engagement(record: &EngagingRecord) -> Result<CsvTable, CsvError> {
+    let mut table = CsvTable::new(&[
+        Column::new("time", "s"),
+        Column::new("speed", "deg_per_s"),
+        Column::new("to_gap", "deg"),
+    ]);
+    for sample in &record.samples {
+        table.push_cells(&[
+            Cell::Number(sample.time),
+            Cell::Number(sample.speed),
+            sample.to_gap.map_or(Cell::Empty, Cell::Number),
+        ])?;
+    }
+    Ok(table)
+}
+
 /// All set-ups in the order of the ranking.
 ///
 /// # Errors
@@ -108,6 +155,7 @@ pub fn set_ups(explored: &ExploreResult) -> Result<CsvTable, CsvError> {
         Column::new("acceleration", "um"),
         Column::new("resolution", "um"),
         Column::new("rounding", "um"),
+        Column::new("measuring", "um"),
         Column::new("greatest_speed", "mm_per_min"),
         Column::new("feasible", ""),
         Column::new("refused", ""),
@@ -127,6 +175,7 @@ pub fn set_ups(explored: &ExploreResult) -> Result<CsvTable, CsvError> {
             Cell::Number(s.acceleration_um),
             Cell::Number(s.resolution_um),
             number(s.rounding_um),
+            Cell::Number(s.measuring_um),
             Cell::Number(s.greatest_speed_mm_per_min),
             Cell::Word(if s.feasible { "yes" } else { "no" }),
             s.refused.map_or(Cell::Empty, Cell::Word),

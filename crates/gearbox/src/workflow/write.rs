@@ -33,5 +33,13 @@ pub fn write_gearbox(outcome: &GearboxOutcome, directory: &Path) -> Result<Vec<P
         let table = tables::pulses(trace, result.settings.clock_hz)?;
         files.push(("pulses.csv".into(), "every pulse and what it turned", table.text().into()));
     }
+    if let Some(trace) = &outcome.split_trace {
+        let table = tables::split(trace, result.settings.clock_hz)?;
+        files.push(("split.csv".into(), "every change of whole pulses and voltage", table.text().into()));
+    }
+    if let Some(record) = &outcome.engaging {
+        let table = tables::engagement(record)?;
+        files.push(("engagement.csv".into(), "the way into the gap over time", table.text().into()));
+    }
     write_with_report(files, directory, |named| page::html_page(outcome, named))
 }

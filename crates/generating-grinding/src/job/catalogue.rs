@@ -36,6 +36,41 @@ pub struct CatalogueSource {
     #[serde(default)]
     #[schemars(extend("minimum" = 0, "maximum" = 100, "x-way-out" = "give the distance in mm, or leave it out"))]
     pub clearance: f64,
+    /// What the pairs are ranked by: the profile crowning of the target, or what a plan of the whole target leaves.
+    #[serde(default)]
+    pub rank_by: RankBy,
+    /// Pairs that are planned with `rank_by = "whole-target"`, those first whose range of crownings serves the whole width; default
+    /// 12.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = 1, "maximum" = MOST_PLANS, "x-way-out" = "each plan takes seconds; a few tens are usual"))]
+    pub plans: Option<u32>,
+    /// Positions z over the face width at which the wanted profile crowning and that of the plans are compared, with `rank_by =
+    /// "whole-target"`, ascending; default the ends and the middle of the evaluated width.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "positions_schema")]
+    pub crowning_at: Option<Vec<f64>>,
+}
+
+/// Pairs that a ranking by plans may plan.
+const MOST_PLANS: u32 = 200;
+
+/// What pairs are ranked by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RankBy {
+    /// The profile crowning of the target, one number for the whole width: fast.
+    #[default]
+    Profile,
+    /// What a plan of the whole target leaves on the flank.
+    WholeTarget,
+}
+
+fn positions_schema(_: &mut schemars::SchemaGenerator) -> Schema {
+    json_schema!({
+        "type": "array", "minItems": 1, "maxItems": 21,
+        "items": { "type": "number", "minimum": -10000, "maximum": 10000 },
+        "x-way-out": "give positions z of the gear in mm, the smallest first"
+    })
 }
 
 fn largest_stretch() -> f64 {

@@ -1,14 +1,20 @@
 //! Contradictions between entries of a job that are each in range. Knows the job, no geometry beyond the order of diameters.
 
 mod catalogue;
+mod conditions;
 mod explore;
 mod gear_root;
 mod grinding;
 mod profile_parts;
+mod roughing;
 mod stroke_study;
 mod strokes;
 mod technology;
 mod tool;
+mod wanted_worm;
+
+pub use explore::ascending;
+pub use tool::existing_dresser;
 
 use super::Job;
 use job::checks::{clamping_bodies, control_of_job, every_job, falling_stock};
@@ -18,7 +24,11 @@ use job::{Diagnostic, Problem, shown_number};
 pub(crate) fn check(job: &Job) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
     every_job(&job.job, &job.gear, &job.grid, &mut findings);
-    job.target.check(&mut findings);
+    if job.wants_worm() {
+        wanted_worm::check(job, &mut findings);
+    } else {
+        job.target.check(&mut findings);
+    }
     catalogue::check(job, &mut findings);
     // Without a worm there is nothing to say about it.
     if !job.worm.is_absent() {
@@ -32,6 +42,13 @@ pub(crate) fn check(job: &Job) -> Vec<Diagnostic> {
     control_of_job(job.control.as_ref(), job.grinding.feed_per_revolution, &mut findings);
     clamping_bodies(job.machine.as_ref().map_or(&[], |machine| &machine.clamping), &mut findings);
     falling_stock(job.machine.as_ref(), &mut findings);
+    if let Some(deviations) = &job.deviations {
+        deviations.check(&mut findings);
+    }
+    if let Some(measured) = &job.measured_worm {
+        measured.check(&mut findings);
+        tool::dressed_in_one_stroke(job, "measured_worm", &mut findings);
+    }
     settings(job, &mut findings);
     findings
 }

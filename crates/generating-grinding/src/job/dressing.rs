@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::conditions::{Condition, ConditionOf, ConditionWord, DegreeOfFreedom};
 use super::gear_root::GearRoot;
 use super::strokes::Strokes;
 use super::worm::direction_schema;
@@ -16,9 +17,9 @@ pub struct Dressing {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("uniqueItems" = true, "minItems" = 1))]
     pub degrees_of_freedom: Option<Vec<DegreeOfFreedom>>,
-    /// What the correction has to meet; together four conditions.
+    /// What the correction has to meet, words or tables: four conditions, or more of which some have a weight.
     #[serde(default = "default_conditions")]
-    #[schemars(extend("uniqueItems" = true, "minItems" = 1))]
+    #[schemars(extend("uniqueItems" = true, "minItems" = 1, "maxItems" = 12))]
     pub conditions: Vec<Condition>,
     /// One flank after the other, each with its own motion, or both with one motion.
     #[serde(default)]
@@ -63,7 +64,7 @@ impl Default for Dressing {
 }
 
 fn default_conditions() -> Vec<Condition> {
-    vec![Condition::ThreePoint, Condition::RadiusMap]
+    vec![ConditionWord::ThreePoint.into(), ConditionWord::RadiusMap.into()]
 }
 
 impl Dressing {
@@ -76,83 +77,34 @@ impl Dressing {
         DegreeOfFreedom::ALL.into_iter().filter(fixed).collect()
     }
 
+    /// Whether the corrections are to meet three points and the radius map with all four motions, as they do by default.
+    pub fn has_usual_conditions(&self) -> bool {
+        self.conditions == Self::default().conditions && self.fixed().is_empty()
+    }
+
     /// Height of the scallops between dressing lines, um.
     pub fn scallop_height_um(&self) -> f64 {
         self.scallop_um.unwrap_or(SCALLOP_UM)
     }
 
-    /// Rows of the system of conditions; four make it determinate.
+    /// Rows of the system of conditions: four of them, or more of which some have a weight.
     pub fn rows(&self) -> usize {
-        self.fixed().len() + self.conditions.iter().map(|c| c.rows()).sum::<usize>()
-    }
-}
-
-/// A component of the dressing correction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub enum DegreeOfFreedom {
-    /// Phase of the worm.
-    #[serde(rename = "phi_S")]
-    PhiS,
-    /// Crossing angle.
-    #[serde(rename = "gamma")]
-    Gamma,
-    /// Centre distance.
-    #[serde(rename = "d")]
-    D,
-    /// Offset of the dresser along its tangent.
-    #[serde(rename = "v_y")]
-    Vy,
-}
-
-impl DegreeOfFreedom {
-    /// All components in the order of the correction vector.
-    pub const ALL: [DegreeOfFreedom; 4] = [Self::PhiS, Self::Gamma, Self::D, Self::Vy];
-}
-
-/// A condition on the dressed worm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Condition {
-    /// Three points of the worm's profile.
-    ThreePoint,
-    /// Four points of the worm's profile.
-    FourPoint,
-    /// A given radius of the dresser finishes a given radius of the worm.
-    RadiusMap,
-    /// The head part of the dresser finishes the worm's tip radius.
-    Head,
-    /// The phase keeps its nominal value.
-    #[serde(rename = "fix-phi_S")]
-    FixPhiS,
-    /// The crossing angle keeps its nominal value.
-    FixGamma,
-    /// The centre distance keeps its nominal value.
-    FixD,
-    /// The offset keeps its nominal value.
-    #[serde(rename = "fix-v_y")]
-    FixVy,
-}
-
-impl Condition {
-    /// The component that a `fix-` condition holds.
-    pub fn fixes(self) -> Option<DegreeOfFreedom> {
-        match self {
-            Condition::FixPhiS => Some(DegreeOfFreedom::PhiS),
-            Condition::FixGamma => Some(DegreeOfFreedom::Gamma),
-            Condition::FixD => Some(DegreeOfFreedom::D),
-            Condition::FixVy => Some(DegreeOfFreedom::Vy),
-            Condition::ThreePoint | Condition::FourPoint | Condition::RadiusMap | Condition::Head => None,
-        }
+        self.fixed().len() + self.conditions.iter().map(Condition::rows).sum::<usize>()
     }
 
-    /// Rows beside those of fixed components, which [`Dressing::fixed`] counts once each.
-    fn rows(self) -> usize {
-        match self {
-            Condition::ThreePoint => 3,
-            Condition::FourPoint => 4,
-            Condition::RadiusMap | Condition::Head => 1,
-            Condition::FixPhiS | Condition::FixGamma | Condition::FixD | Condition::FixVy => 0,
-        }
+    /// Rows that are met as nearly as their weights ask.
+    pub fn weighed_rows(&self) -> usize {
+        self.conditions.iter().filter(|condition| condition.weight().is_some()).count()
+    }
+
+    /// Whether a condition holds the height of the worm's tip.
+    pub fn dresses_head(&self) -> bool {
+        let head = |c: &Condition| {
+            let asks =
+                matches!(c, Condition::Word(ConditionWord::Head) | Condition::Of(ConditionOf::Head(_)));
+            asks && c.weight().is_none()
+        };
+        self.conditions.iter().any(head)
     }
 }
 

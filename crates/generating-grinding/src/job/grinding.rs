@@ -34,6 +34,9 @@ pub struct Grinding {
     /// Whether the exact error is fed back into the commands; default by the method: diagonal yes, radial no.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub precompensation: Option<bool>,
+    /// Whether a plan that misses its target plans changes of the job that would meet it, the cheapest first; default true.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub try_changes: Option<bool>,
     /// Axial feed per revolution of the gear, for the feed marks.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 100,

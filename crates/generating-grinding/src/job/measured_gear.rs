@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::deviations::{DressingDeviation, MachineDeviations};
+
 /// Deviations of the machine and a measurement of the gear that it grinds with them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -44,30 +46,15 @@ pub struct SimulatedMeasurement {
     pub seed: u64,
 }
 
-/// Deviations of the dressing axes, the same over the whole worm.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-pub struct DressingDeviation {
-    /// Worm angle, degrees.
-    #[serde(rename = "d_phi_S_deg")]
-    #[schemars(extend("minimum" = -1, "maximum" = 1, "x-way-out" = "give some hundredths of a degree"))]
-    pub d_phi_s_deg: f64,
-    /// Crossing angle, degrees.
-    #[schemars(extend("minimum" = -1, "maximum" = 1, "x-way-out" = "give some hundredths of a degree"))]
-    pub d_gamma_deg: f64,
-    /// Centre distance, mm.
-    #[schemars(extend("minimum" = -1, "maximum" = 1, "x-way-out" = "give some thousandths of a millimetre"))]
-    pub d_d_mm: f64,
-    /// Offset of the dresser, mm.
-    #[serde(rename = "d_v_yA_mm")]
-    #[schemars(extend("minimum" = -1, "maximum" = 1, "x-way-out" = "give some hundredths of a millimetre"))]
-    pub d_v_ya_mm: f64,
-}
-
-impl DressingDeviation {
-    /// rad, rad, mm, mm.
-    pub fn values(&self) -> [f64; 4] {
-        [self.d_phi_s_deg.to_radians(), self.d_gamma_deg.to_radians(), self.d_d_mm, self.d_v_ya_mm]
+impl SimulatedMeasurement {
+    /// What the machine does wrong.
+    pub fn deviations(&self) -> MachineDeviations {
+        MachineDeviations {
+            radial_feed_um: self.radial_feed_um.clone(),
+            work_angle_arcsec: self.work_angle_arcsec.clone(),
+            crossing_angle_deg: self.crossing_angle_deg,
+            dressing: self.dressing,
+        }
     }
 }
 

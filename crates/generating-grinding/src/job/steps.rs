@@ -29,8 +29,18 @@ impl Steps {
         })
     }
 
+    /// The values of steps that may be absent: `None` for what then stays as it is.
+    pub fn each(steps: Option<Self>) -> Vec<Option<f64>> {
+        steps.map_or_else(|| vec![None], |steps| steps.values().map(Some).collect())
+    }
+
+    /// How many these are.
+    pub fn count_of(steps: Option<Self>) -> usize {
+        steps.map_or(1, |steps| steps.count)
+    }
+
     /// The schema of steps between two values of the schema `end`.
-    pub(super) fn schema(end: Schema) -> Schema {
+    pub fn schema(end: Schema) -> Schema {
         json_schema!({
             "type": "object",
             "properties": {

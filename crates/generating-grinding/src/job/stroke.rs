@@ -26,6 +26,12 @@ pub struct StrokeOfJob {
     /// Shift of the worm while it feeds; a stroke that leaves 0 shifts as planned.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shift: Option<StrokeShift>,
+    /// Share of the modification that the roughing area of a stroke makes, beside the profile, which the dresser has everywhere: the amount
+    /// of its cut. Without it the dresser stands still in the roughing areas; needs `grinding.roughing_areas`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = 0, "maximum" = 2,
+        "x-way-out" = "give a share of the wanted modification, e.g. 0.5; 1 makes all of it"))]
+    pub modification_share: Option<f64>,
     /// How far it goes on beyond first and last contact, mm; default `grinding.overrun`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 0, "maximum" = 200, "x-way-out" = "give the way in mm, e.g. 1"))]

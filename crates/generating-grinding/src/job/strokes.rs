@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::over_width::{OverWidth, share as share_over_face};
 use super::stroke_study::{first, overlap, share};
 
 /// Dressing of the worm's profile in several strokes, each with its own corrections. Shares count from w_NfS (0), which grinds the
@@ -39,12 +40,13 @@ pub struct StrokeArea {
 }
 
 /// A section of the worm's profile, which begins where the one before it ends.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DressedSection {
-    /// Share of the profile at its end; the last section ends at 1.
-    #[schemars(schema_with = "share")]
-    pub to: f64,
+    /// Share of the profile at its end, the same all over the face or coefficients of q^k, q from -1 to 1 over the evaluated face; the
+    /// last section ends at 1.
+    #[schemars(schema_with = "share_over_face")]
+    pub to: OverWidth,
     /// Number of the active area that dresses it, from 1, in as many strokes as it takes.
     #[serde(default = "first")]
     #[schemars(extend("minimum" = 1, "maximum" = 24, "x-way-out" = "give the number of an entry of `areas`"))]

@@ -44,8 +44,17 @@ pub struct Worm {
     /// How the tool gets its flanks.
     #[serde(default, skip_serializing_if = "Tool::is_default")]
     pub tool: Tool,
-    /// What a given tool carries on its flanks: f over its length of roll w_1 and axial position z_1, transverse,
-    /// positive = material of the tool. Kinds polynomial, grid, points, formula; left out: plain flanks.
+    /// Form of the flanks of a tool that exists, before its modifications; every other tool is an involute worm.
+    #[serde(default, skip_serializing_if = "FlankForm::is_default")]
+    pub flank_form: FlankForm,
+    /// Diameter of the disc with straight sides that made a ZK worm, where it touches the worm's pitch cylinder.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2000,
+        "x-way-out" = "give the diameter of the disc in mm, where it touches the worm's pitch cylinder"))]
+    pub form_disc_diameter: Option<f64>,
+    /// What the flanks of the tool carry: f over its length of roll w_1 and axial position z_1, transverse,
+    /// positive = material of the tool. Kinds polynomial, grid, points, formula. A given tool has it, left out: plain flanks; a dressed
+    /// worm is to get it in place of a target, and the gear follows.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub modifications: Option<Vec<Modification>>,
     /// Direction rho_1 of the lines along which the tool's modification is constant, degrees, w_1 sin rho_1 + z_1 cos rho_1
@@ -68,6 +77,8 @@ impl Worm {
             width: None,
             cone_angle_deg: 0.0,
             tool: Tool::Dressed,
+            flank_form: FlankForm::Zi,
+            form_disc_diameter: None,
             modifications: None,
             direction_deg: None,
         }
@@ -99,6 +110,37 @@ impl Tool {
             Tool::Dressed => "dressed",
             Tool::Given => "given",
             Tool::Made => "made",
+        }
+    }
+
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+/// Form of a worm's flanks, by the letters of ISO 10828.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "UPPERCASE")]
+pub enum FlankForm {
+    /// Involute helicoids.
+    #[default]
+    Zi,
+    /// Straight in the axial section.
+    Za,
+    /// Straight in the normal section of the space.
+    Zn,
+    /// Made by a disc with straight sides that stands in the space under the lead angle.
+    Zk,
+}
+
+impl FlankForm {
+    /// The letters in job files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Zi => "ZI",
+            Self::Za => "ZA",
+            Self::Zn => "ZN",
+            Self::Zk => "ZK",
         }
     }
 

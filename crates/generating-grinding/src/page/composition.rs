@@ -1,5 +1,6 @@
 //! Puts the sections of a page on ground flanks in their order. Whatever is absent leaves no trace on the page.
 
+use super::changes::changes;
 use super::content::GrindingPage;
 use super::drawn_values::drawn_values;
 use super::{first_page, motions, ratio, strokes, summary};
@@ -23,12 +24,14 @@ impl GrindingPage<'_> {
     /// [`ChartError`] if a motion or trace holds values that are not finite or lists of different length.
     pub fn to_page(&self) -> Result<PlanReport, ChartError> {
         let mut dressing = motions::dressing(&self.dressing)?;
+        dressing.extend(self.conditions.iter().cloned());
         dressing.extend(strokes::figures(&self.strokes)?);
         let drawn: DrawnFlanks = self.flanks.map(|_, flank| flank.as_ref().map(|flank| flank.stages.clone()));
         let sections = vec![
             Section::new("result-per-flank", "Result per flank", summary::summary(self)),
             Section::new("values-of-the-drawing", "Values of the drawing", drawn_values(self)),
             Section::new("scope-of-the-verdict", "Scope of the verdict", scope_blocks(self.verdict)),
+            Section::new("what-would-meet-it", "What would meet the target", changes(self.changes)),
             Section::new("warnings", "Warnings", self.warnings()),
             Section::new("gear-and-tools", "Gear and tools", self.data_sheets()),
             Section::new("settings", "Settings", self.settings()?),
@@ -37,6 +40,8 @@ impl GrindingPage<'_> {
             Section::new("grinding-motion", "Grinding motion", motions::grinding(&self.grinding_motions)?),
             Section::new("dressing-corrections", "Dressing corrections", dressing),
             Section::new("room-for-the-dresser", "Room for the dresser", self.room()?),
+            Section::new("axes-that-are-off", "Axes that are off", self.deviated.clone()),
+            Section::new("measured-worm", "Measured worm", self.measured_worm.clone()),
             Section::new("gearbox-and-servo", "Gearbox and servo", self.control.clone()),
             Section::new("stock-strokes-and-cost", "Stock, strokes and cost", self.removal.clone()),
             Section::new("nc-programs", "NC programs", self.programs.clone()),

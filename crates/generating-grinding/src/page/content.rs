@@ -3,6 +3,7 @@
 use super::motions::DressingCurves;
 use super::target_amounts::TargetAmount;
 use super::traces::traces;
+use crate::workflow::ChangeResult;
 use crate::workflow::drawn_values::TraceDirection;
 use crate::workflow::executed_strokes::ExecutedStroke;
 use crate::workflow::result::{FlankResult, SettingsResult};
@@ -46,6 +47,8 @@ pub struct GrindingPage<'a> {
     pub grinding_motions: Vec<GrindingMotion>,
     /// Dressing corrections per flank; both equal if both flanks are dressed with one motion.
     pub dressing: Sides<Option<DressingCurves>>,
+    /// Conditions of dressing with what is left of them, where some have a weight.
+    pub conditions: Vec<Block>,
     /// The strokes per flank, where the worm is dressed in strokes.
     pub strokes: Sides<&'a [ExecutedStroke]>,
     /// What gearbox and servo leave, where the job describes its control.
@@ -56,6 +59,12 @@ pub struct GrindingPage<'a> {
     pub programs: Vec<Block>,
     /// What to know, with a way out.
     pub warnings: &'a [Remark],
+    /// Changes of the job that were planned because the flank is missed.
+    pub changes: &'a [ChangeResult],
+    /// What the settings leave with axes that are off, where the job gives some.
+    pub deviated: Vec<Block>,
+    /// What a measured worm says of the dressing axes, where the job gives one.
+    pub measured_worm: Vec<Block>,
     /// How the result was verified.
     pub verification: Vec<Block>,
     /// Largest error by round of the precompensation, um.

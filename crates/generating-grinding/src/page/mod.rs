@@ -1,11 +1,15 @@
 //! The report of a run, composed from its results. Timing stays out of it, so that the same job gives the same bytes.
 
+mod changes;
 mod composition;
+mod conditions;
 mod content;
 mod control;
+mod deviated;
 mod drawn_values;
 mod first_page;
 mod limit_words;
+mod measured_worm;
 mod motions;
 mod programs;
 mod quantities;
@@ -16,11 +20,13 @@ mod summary;
 mod target_amounts;
 mod traces;
 mod verification;
+mod wanted_worm;
 
 pub use composition::{TOPOGRAPHIES, VERIFICATION};
 pub use content::{GrindingPage, ShownFlank};
 pub use control::control_blocks;
 pub use first_page::{MachineSettings, times};
+pub use measured_worm::axis_columns;
 pub use motions::DressingCurves;
 pub use programs::programs_blocks;
 pub use quantities::gear_quantities;
@@ -91,6 +97,7 @@ pub fn page(outcome: &Outcome, files: &[(String, &'static str)]) -> Result<PlanR
             let dressing = execution.flanks[flank].as_ref()?.dressing()?;
             Some(DressingCurves::over(&dressing.motion, dressing.corrections[0].interval()))
         }),
+        conditions: conditions::conditions(&result.settings.dressing_conditions)?,
         strokes: Sides::from_fn(strokes),
         control: match &result.control {
             None => Vec::new(),
@@ -102,9 +109,17 @@ pub fn page(outcome: &Outcome, files: &[(String, &'static str)]) -> Result<PlanR
         removal: result.removal.as_ref().map_or(Ok(Vec::new()), removal::removal)?,
         programs: outcome.programs.as_ref().map_or(Ok(Vec::new()), programs_blocks)?,
         warnings: &result.warnings,
+        changes: &result.changes,
+        deviated: result
+            .deviated
+            .as_ref()
+            .map_or(Ok(Vec::new()), |of| deviated::deviated(of, &result.flanks))?,
+        measured_worm: measured_worm::measured_worm(result.measured_worm.as_ref())?,
         verification: verification(outcome),
         convergence: Some(&result.ideal_error_by_round_um),
         files,
     };
-    page.to_page()
+    let mut page = page.to_page()?;
+    page.insert_before(TOPOGRAPHIES, wanted_worm::section(&result.worm)?);
+    Ok(page)
 }

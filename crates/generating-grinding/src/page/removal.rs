@@ -228,7 +228,7 @@ fn cycles_table(cycles: &CyclesResult) -> Table {
         ],
         rows,
         note: format!(
-            "Roughing strokes of equal depth and one finishing stroke on {} µm of stock on both flanks, every feed at its limit. Parts per dressing: if the width is used at its best. `technology.cycle` takes the standard, the fastest or the cheapest, `technology.strokes` any other.{axes}{dressing}",
+            "Roughing strokes of equal depth and one finishing stroke on {} µm of stock, every feed at its limit. Parts per dressing: if the width is used at its best. `technology.cycle` takes the standard, the fastest or the cheapest, `technology.strokes` any other.{axes}{dressing}",
             format_significant(cycles.stock_um, 4)
         ),
     }

@@ -98,7 +98,12 @@ pub fn strokes_of_settings(
     for (k, stroke) in given.iter().enumerate() {
         let area = ActiveArea::new(stroke.area_mm, stroke.touching_mm)
             .map_err(|e| generating_finding::on_field(&GeneratingError::from(e), &format!("{field}[{k}]")))?;
-        let place = StrokePlace { dresser: stroke.dresser.saturating_sub(1), area, range: stroke.range_mm };
+        let place = StrokePlace {
+            dresser: stroke.dresser.saturating_sub(1),
+            area,
+            range: stroke.range_mm,
+            over_face: None,
+        };
         let coefficients: [&[f64]; 4] =
             [&stroke.d_phi_s_deg, &stroke.d_gamma_deg, &stroke.d_d_mm, &stroke.d_v_ya_mm];
         strokes.push((place, correction_series([stroke.v_from_mm, stroke.v_to_mm], coefficients)));

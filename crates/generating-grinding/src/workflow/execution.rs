@@ -105,18 +105,7 @@ impl ExecutedDressing {
 
 /// Corrections of a settled dresser counted from the nominal kinematics, as tables and settings have them.
 fn from_nominal(corrections: &[Chebyshev; 4], settled: &DressingCorrection) -> [Chebyshev; 4] {
-    std::array::from_fn(|j| shifted(&corrections[j], settled[j]))
-}
-
-/// A series with its constant moved.
-pub fn shifted(series: &Chebyshev, by: f64) -> Chebyshev {
-    let (from, to) = series.interval();
-    let mut coefficients = series.coefficients().to_vec();
-    match coefficients.first_mut() {
-        Some(constant) => *constant += by,
-        None => coefficients.push(by),
-    }
-    Chebyshev::from_coefficients(from, to, coefficients)
+    std::array::from_fn(|j| corrections[j].raised(settled[j]))
 }
 
 impl ExecutedFlank {
@@ -184,19 +173,59 @@ impl Execution {
         (apart - TAU * (apart / TAU).round()).abs() < SAME_PHASE
     }
 
-    /// Lets the dressing axes be off by d_phi_S, d_gamma (rad), d_d, d_v_yA (mm) all along the worm; false, and nothing done, for a tool
-    /// that is not dressed in one stroke.
+    /// Lets the dressing axes be off by d_phi_S, d_gamma (rad), d_d, d_v_yA (mm) all along the worm, in every stroke; false, and nothing
+    /// done, for a tool that no disc dresses in line contact.
     pub fn shift_dressing(&mut self, by: [f64; 4]) -> bool {
-        let Some(dresser) = &self.dresser else { return false };
+        let moved =
+            |corrections: &[Chebyshev; 4]| std::array::from_fn(|axis| corrections[axis].raised(by[axis]));
+        let made = |(_, executed): (Flank, &Option<ExecutedFlank>)| {
+            executed.as_ref().is_some_and(|executed| executed.made().is_some())
+        };
+        if self.flanks.iter().any(made) {
+            return false;
+        }
         for flank in Flank::BOTH {
-            let Some(executed) = &mut self.flanks[flank] else { continue };
-            let ExecutedTool::Dressed(dressing) = &mut executed.tool else { return false };
-            let shifted = std::array::from_fn(|axis| shifted(&dressing.corrections[axis], by[axis]));
-            let profile = (dressing.profile.clone(), dressing.spline.clone());
-            let reliefs = dressing.reliefs.clone();
-            **dressing = ExecutedDressing::new(dresser.flanks[flank].chain, shifted, profile, reliefs);
+            match self.flanks[flank].as_mut().map(|executed| &mut executed.tool) {
+                Some(ExecutedTool::Dressed(dressing)) => {
+                    dressing.corrections = moved(&dressing.corrections);
+                    dressing.motion = dressing_motion(dressing.motion.chain, &dressing.corrections);
+                }
+                Some(ExecutedTool::Stroked(stroked)) => {
+                    for stroke in &mut stroked.strokes {
+                        stroke.corrections = moved(&stroke.corrections);
+                        stroke.motion = dressing_motion(stroke.motion.chain, &stroke.corrections);
+                    }
+                }
+                Some(ExecutedTool::Made(_)) | None => {}
+            }
         }
         true
+    }
+
+    /// The same worm and flank with other corrections of a flank's dressing and another motion of grinding, for rays that stand up to `stock`
+    /// above the target, mm; `None` for a flank that is not ground by a worm dressed in one stroke.
+    pub fn roughed(
+        &self,
+        flank: Flank,
+        change: impl Fn(&[Chebyshev; 4]) -> Option<[Chebyshev; 4]>,
+        (motion, feed_range): (GeneratingMotion, [f64; 2]),
+        stock: f64,
+    ) -> Option<Self> {
+        let (executed, dresser) = (self.flanks[flank].as_ref()?, self.dresser.as_ref()?);
+        let ExecutedTool::Dressed(dressing) = &executed.tool else { return None };
+        let of = (dressing.profile.clone(), dressing.spline.clone());
+        let chain = dresser.flanks[flank].chain;
+        let changed =
+            ExecutedDressing::new(chain, change(&dressing.corrections)?, of, dressing.reliefs.clone());
+        let f = executed.target.f.iter().map(|f| f + stock).collect();
+        let only = ExecutedFlank {
+            tool: ExecutedTool::Dressed(Box::new(changed)),
+            target: Topography { f, ..executed.target.clone() },
+            ..executed.clone()
+        };
+        let mut flanks = Sides { left: None, right: None };
+        flanks[flank] = Some(only);
+        Some(Self { motion, feed_range, flanks, ..self.clone() })
     }
 
     /// From a finished plan.
@@ -276,6 +305,7 @@ impl Execution {
                 Ok::<_, RunFailure>(pieces.scaled(1e-3))
             });
             Ok(Some(IdealWorm {
+                moved: None,
                 spline: spline.transpose()?,
                 lines,
                 shift: shift.clone(),

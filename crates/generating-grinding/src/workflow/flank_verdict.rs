@@ -124,16 +124,20 @@ pub fn owe_line_dressing(verdict: &mut Verdict) {
     );
 }
 
+/// Why there are no programs, mostly.
+pub const NO_MACHINE: &str = "the job names no machine";
+
 /// Judges the flanks that were simulated from the texts of the programs. `share` is the deviation of a flank of the run over its
-/// tolerance, for tolerances that vary over the flank.
+/// tolerance, for tolerances that vary over the flank. Without programs, why there are none.
 pub fn judge_programs(
     verdict: &mut Verdict,
-    programs: Option<&ProgramsResult>,
+    programs: Result<&ProgramsResult, &str>,
     tolerance_um: f64,
     share: impl Fn(&str) -> f64,
 ) {
-    let Some(programs) = programs else {
-        return verdict.leave("programs", "the job names no machine");
+    let programs = match programs {
+        Ok(programs) => programs,
+        Err(why) => return verdict.leave("programs", why),
     };
     for proof in &programs.proofs {
         let controls = proof.controls.join(", ");

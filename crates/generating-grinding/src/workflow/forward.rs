@@ -1,16 +1,15 @@
 //! The flank that a process leaves whose axes are off, many times over: bodies, plan and grid are made once, then every set of deviations
 //! costs the exact contact alone. Not verified by the referee, which is a run.
 
-use super::execution::{ExecutedTool, Execution, shifted};
-use super::influence::influence;
+use super::execution::{ExecutedTool, Execution};
 use super::prepare::{GivenSettings, Prepared, prepare};
 use crate::job::Job;
 use crate::workflow::generating_finding;
 use dressing::DressedWorm;
-use foundation::geometry::{Flank, Sides};
+use foundation::geometry::Sides;
 use foundation::kinematics::GeneratingMotion;
-use generating::PlanningGrid;
-use generating::correction::{Setting, SettingsFlank};
+use generating::correction::{Setting, SettingInfluence, SettingsFlank};
+use generating::{GeneratingError, PlanningGrid, StrokedFlank};
 use job::{AnyJob, Diagnostic, Problem};
 use metrology::Topography;
 use run::{JobFailure, RunFailure};
@@ -72,8 +71,7 @@ impl ForwardModel {
     /// the helix.
     ///
     /// # Errors
-    /// [`JobFailure`] as for a plan; another process, bodies from a catalogue, a tool that is dressed in strokes, a law of the feed in place
-    /// of a diagonal ratio, a grid of fewer than 2 points.
+    /// [`JobFailure`] as for a plan; another process, bodies from a catalogue, a grid of fewer than 2 points.
     pub fn new(job: &AnyJob, points: [usize; 2]) -> Result<Self, JobFailure> {
         let Some(loaded) = job.of::<Job>() else {
             return Err(RunFailure::other_process(job, "\"generating-grinding\"").into());
@@ -98,14 +96,14 @@ impl ForwardModel {
                 Execution::of_plan(&prepared, &plan)
             }
         };
-        influence(&prepared, &execution)?;
-        let stroked = |flank: Flank| execution.flanks[flank].as_ref().is_some_and(|f| f.strokes().is_some());
-        if Flank::BOTH.into_iter().any(stroked) {
-            let finding =
-                Diagnostic::new(Problem::NotYetSupported, "this tool is dressed in several strokes");
-            let finding = finding.field("dressing.strokes").way_out("plan it in one stroke");
-            return Err(RunFailure::bad_input(finding).into());
-        }
+        Ok(Self::of_run(prepared, execution, points)?)
+    }
+
+    /// Of a run that is planned already, on a grid of `points`.
+    ///
+    /// # Errors
+    /// [`RunFailure`] where the target has no value on the grid.
+    pub fn of_run(prepared: Prepared, execution: Execution, points: [usize; 2]) -> Result<Self, RunFailure> {
         let grid = PlanningGrid::new(&prepared.setup, points[0], points[1]);
         let target = Sides::try_from_fn(|flank| -> Result<_, RunFailure> {
             let Some(target) = &prepared.targets[flank] else { return Ok(None) };
@@ -132,7 +130,7 @@ impl ForwardModel {
             let finding = finding.field(of.name()).value(value.to_string()).allowed("finite numbers");
             return Err(RunFailure::bad_input(finding.way_out("leave the sample out")));
         }
-        let motion = self.motion(deviations)?;
+        let motion = deviated_motion(&self.prepared, &self.execution, deviations)?;
         let mut dressing = [0.0; 4];
         for (of, value) in deviations {
             if let Deviation::Dressing(axis) = of {
@@ -144,9 +142,20 @@ impl ForwardModel {
             let setup = &self.prepared.setup;
             let ground = match (&executed.tool, &self.execution.dresser) {
                 (ExecutedTool::Dressed(of), Some(dresser)) => {
-                    let corrections =
-                        std::array::from_fn(|axis| shifted(&of.corrections[axis], dressing[axis]));
+                    let corrections = std::array::from_fn(|axis| of.corrections[axis].raised(dressing[axis]));
                     self.grid.ground(setup, flank, &motion, &DressedWorm::new(dresser, flank, &corrections))
+                }
+                (ExecutedTool::Stroked(strokes), _) => {
+                    let moved = strokes.strokes.iter().map(|stroke| {
+                        let corrections =
+                            std::array::from_fn(|axis| stroke.corrections[axis].raised(dressing[axis]));
+                        (stroke.place, corrections)
+                    });
+                    let layout = setup.strokes.as_deref().ok_or(GeneratingError::NotDressed);
+                    let stroked = layout
+                        .and_then(|layout| StrokedFlank::of_corrections(layout, flank, moved.collect()))
+                        .map_err(|e| generating_finding::failure(&e))?;
+                    stroked.ground(setup, flank, &self.grid, &motion)
                 }
                 (ExecutedTool::Made(made), _) if dressing == [0.0; 4] => {
                     self.grid.ground(setup, flank, &motion, &made.surface(setup, flank))
@@ -161,19 +170,30 @@ impl ForwardModel {
             Ok(Some(ground.iter().map(|g| g.f_n).collect()))
         })
     }
+}
 
-    fn motion(&self, deviations: &[(Deviation, f64)]) -> Result<GeneratingMotion, RunFailure> {
-        let influence = influence(&self.prepared, &self.execution)?;
-        let (mut settings, mut crossing) = (Vec::new(), 0.0);
-        for (of, value) in deviations {
-            match of {
-                Deviation::RadialFeed(k) => settings.push((Setting::RadialFeed(*k), value * 1e-3)),
-                Deviation::WorkAngle(k) => settings.push((Setting::WorkAngle(*k), value * ARCSEC)),
-                Deviation::CrossingAngle => crossing += value * DEG,
-                Deviation::Dressing(_) => {}
-            }
+/// The grinding motion of an execution with deviations, each in the unit of its name; those of dressing are none of it.
+///
+/// # Errors
+/// [`RunFailure::BadInput`] for a face width that is none.
+pub(super) fn deviated_motion(
+    prepared: &Prepared,
+    execution: &Execution,
+    deviations: &[(Deviation, f64)],
+) -> Result<GeneratingMotion, RunFailure> {
+    let setup = &prepared.setup;
+    // Where the feed has its middle and its unit, whatever law the shift follows.
+    let feed = SettingInfluence::new(&setup.lines, execution.ratio, setup.input.blank.face_width)
+        .map_err(|e| RunFailure::bad_input(Diagnostic::of(&e).field("gear.face_width")))?;
+    let (mut settings, mut crossing) = (Vec::new(), 0.0);
+    for (of, value) in deviations {
+        match of {
+            Deviation::RadialFeed(k) => settings.push((Setting::RadialFeed(*k), value * 1e-3)),
+            Deviation::WorkAngle(k) => settings.push((Setting::WorkAngle(*k), value * ARCSEC)),
+            Deviation::CrossingAngle => crossing += value * DEG,
+            Deviation::Dressing(_) => {}
         }
-        let flank = SettingsFlank::new(&self.prepared.setup.pair, &influence, &self.execution.motion);
-        Ok(flank.motion(&settings, crossing))
     }
+    let flank = SettingsFlank::new(&setup.pair, &feed, &execution.motion);
+    Ok(flank.motion(&settings, crossing))
 }

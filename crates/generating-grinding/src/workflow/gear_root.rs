@@ -7,7 +7,7 @@ use foundation::geometry::{Flank, Sides};
 use foundation::numerics::extremes;
 use generating::{GeneratingError, GroundRoot};
 use nalgebra::Vector3;
-use referee::{RootGrinding, RootRay};
+use referee::{RootGrinding, RootRay, Unmodified};
 use run::RunFailure;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -108,9 +108,11 @@ fn refereed(
     let setup = &prepared.setup;
     let grinding = RootGrinding {
         worm: setup.pair.worm.flank(flank),
+        modification: &Unmodified,
         corner_radius,
         tip: &ground.tip,
         motion: &execution.motion,
+        feeds: [f64::NEG_INFINITY, f64::INFINITY],
         along: FILLET_ALONG,
     };
     let rays: Vec<RootRay> = ground

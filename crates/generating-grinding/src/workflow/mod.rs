@@ -1,9 +1,12 @@
 //! From a job to bodies, plan, proof, files and page: where generating grinding, its referee and its report meet.
 
 pub mod catalogue;
+mod changes;
+mod conditions;
 pub mod control;
 pub mod correction_series;
 pub mod derived;
+pub mod deviated;
 pub mod drawn_values;
 pub mod dressing_model;
 pub mod dressing_study;
@@ -18,6 +21,7 @@ pub mod generating_finding;
 pub mod influence;
 pub mod line_dressing;
 mod machine_fit;
+pub mod measured_worm;
 mod miss;
 pub mod occupation;
 pub mod partition;
@@ -29,6 +33,7 @@ pub mod refusal;
 pub mod removal;
 pub mod result;
 mod roughing;
+pub mod roughing_pass;
 pub mod run;
 pub mod scene;
 pub mod stroke_plan;
@@ -36,6 +41,7 @@ mod summary;
 pub mod tables;
 mod tip_edge;
 pub mod tip_land;
+pub mod wanted_worm;
 pub mod worm_life;
 pub mod write;
 
@@ -44,6 +50,8 @@ pub use catalogue::{
     LifePoint, MOST_PAIRS, PAIR_RANKING, PairFlank, PairLife, PlannedPair, plan_from_catalogue,
     rank_catalogue, study_free_worm, wanted_of_catalogue, write_catalogue, write_free_study,
 };
+pub use changes::try_changes;
+pub use conditions::ConditionResult;
 pub use control::{ControlFlankResult, ControlResult, ErrorTrace, Trace};
 pub use dressing_model::DressingModel;
 pub use dressing_study::{
@@ -60,6 +68,7 @@ pub use explore::{
 pub use forward::{Deviation, ForwardModel};
 pub use gear_root::{FilletResult, FilletSection, GearRootResult};
 pub use line_dressing::{LineDressingResult, WrittenFlank};
+pub use measured_worm::{MeasuredWormResult, WormAxis};
 pub use occupation::occupation_chart;
 pub use partition::Partition;
 pub use prepare::{Prepared, prepare, setup_of_job, tolerance_of_job};
@@ -69,7 +78,10 @@ pub use programs::{
     ProgramResult, ProgramTask, ProgramsResult, ProofResult, RunPrograms, WormUse,
 };
 pub use referee::{StageReport, Verdict};
-pub use result::{CandidateResult, FlankResult, JobResult, SettingsResult};
+pub use result::{
+    CandidateResult, ChangeResult, DeviatedFlank, DeviatedResult, FlankResult, JobResult, KeyChange,
+    SettingsResult,
+};
 pub use run::{Outcome, plan_job, simulate_job};
 pub use stroke_plan::StrokePlan;
 pub use summary::{JobOutcome, controlled, proven};

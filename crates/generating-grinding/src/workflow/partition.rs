@@ -3,6 +3,7 @@
 
 use super::occupation::occupation_chart;
 use super::prepare::Prepared;
+use super::roughing_pass::{RoughingArea, RoughingPass};
 use foundation::geometry::Sides;
 use foundation::kinematics::MotionLaw;
 use generating::areas::{AreaKind, AreaPlan, AreaSet, AreaTask, Occupation, WormExtent};
@@ -43,13 +44,22 @@ pub struct Partition {
 pub struct ToolAreas {
     /// Added to z_V1 of the plan in every finishing area, mm.
     pub finishing: Vec<f64>,
-    /// z_V1 over z_V2 in every roughing area.
-    pub roughing: Vec<MotionLaw>,
+    /// What strokes do in every roughing area.
+    pub roughing: Vec<RoughingPass>,
 }
 
 /// The plan of one area with a single ratio.
 fn plain_area(lines: &Sides<Option<FlankLines>>, ratio: f64) -> Result<AreaPlan, GeneratingError> {
     AreaTask { lines: *lines, regions: Vec::new(), free_ratio: ratio }.plan()
+}
+
+/// A plan that takes so much more room at both of its ends, mm.
+fn widened(plan: AreaPlan, room: f64) -> AreaPlan {
+    let wider = |[from, to]: [f64; 2]| [from - room, to + room];
+    let extents = plan.extents.map(|_, extent| {
+        extent.as_ref().map(|extent| WormExtent { z_1: wider(extent.z_1), line: wider(extent.line) })
+    });
+    AreaPlan { extents, ..plan }
 }
 
 /// The plan of one finishing area under a law: its real extent on the tool.
@@ -94,20 +104,26 @@ impl Partition {
         };
         let lines = Sides::from_fn(|flank| prepared.targets[flank].as_ref().map(|_| setup.lines[flank]));
         let finishing = finishing_area(prepared, &lines, ratio, shift).map_err(fault)?;
-        let roughing = plain_area(&lines, prepared.cycle.roughing_ratio).map_err(fault)?;
+        // An area with a modification of its own has ways to those beside it, over which the dresser goes.
+        let modified = prepared.cycle.roughing.iter().any(|area| area.share.is_some());
+        let room = if modified { 0.75 * passage(setup) + beside_area(setup) } else { 0.0 };
+        let roughing = prepared
+            .cycle
+            .roughing
+            .iter()
+            .map(|area| plain_area(&lines, area.ratio).map(|plan| widened(plan, room)))
+            .collect::<Result<Vec<AreaPlan>, GeneratingError>>()
+            .map_err(fault)?;
+        let plain = plain_area(&lines, 0.0).map_err(fault)?;
         // From one finishing area to the next the dresser has to come back to where the plan begins: no line of either lies there.
         let apart =
             if setup.input.dresser.is_some() { passage(setup) + 2.0 * beside_area(setup) } else { 0.0 };
-        let sets = |areas: usize| {
-            [
-                AreaSet {
-                    kind: AreaKind::Roughing,
-                    plan: &roughing,
-                    count: prepared.cycle.roughing_areas,
-                    apart: 0.0,
-                },
-                AreaSet { kind: AreaKind::Finishing, plan: &finishing, count: areas, apart },
-            ]
+        let sets = |areas: usize| -> Vec<AreaSet<'_>> {
+            let roughing =
+                roughing.iter().map(|plan| AreaSet { kind: AreaKind::Roughing, plan, count: 1, apart: 0.0 });
+            roughing
+                .chain([AreaSet { kind: AreaKind::Finishing, plan: &finishing, count: areas, apart }])
+                .collect()
         };
         let asked = prepared.cycle.areas;
         let (occupation, fit) = match setup.input.worm_width {
@@ -135,10 +151,10 @@ impl Partition {
             area_pitch_mm: finishing.pitch() + apart,
             areas_that_fit: fit,
             areas: asked.unwrap_or(1),
-            roughing_areas: prepared.cycle.roughing_areas,
+            roughing_areas: roughing.len(),
             length_mm: occupation.needed,
             shifts_mm: occupation.shifts.clone(),
-            first_feed: roughing.segments.first().map_or(0.0, |segment| segment.feed[0]),
+            first_feed: plain.segments.first().map_or(0.0, |segment| segment.feed[0]),
             chart: occupation_chart("Areas over the width of the tool", &occupation),
         }))
     }
@@ -152,10 +168,12 @@ impl Partition {
         // Areas of straight and of broken laws are laid out as if z_V1 were 0 at the first feed.
         let laid_from_zero = shift.is_affine() || prepared.areas.is_some();
         let planned = if laid_from_zero { shift.value(self.first_feed) } else { 0.0 };
-        let ratio = prepared.cycle.roughing_ratio;
-        let law = |at: &f64| MotionLaw::polynomial(self.first_feed, vec![*at, ratio]);
+        let pass = |(at, area): (&f64, &RoughingArea)| RoughingPass {
+            shift: MotionLaw::polynomial(self.first_feed, vec![*at, area.ratio]),
+            area: *area,
+        };
         let finishing = self.shifts_mm.iter().skip(self.roughing_areas).map(|at| at - planned).collect();
-        let roughing = self.shifts_mm.iter().take(self.roughing_areas).map(law).collect();
+        let roughing = self.shifts_mm.iter().zip(&prepared.cycle.roughing).map(pass).collect();
         Some(ToolAreas { finishing, roughing })
     }
 

@@ -1,11 +1,14 @@
 //! `result.json`: what a plan or a simulation came to, with units in the key names (`README.md`).
 
+use super::conditions::ConditionResult;
 use super::drawn_values::TraceResult;
 use super::gear_root::GearRootResult;
 use super::line_dressing::LineDressingResult;
+use super::measured_worm::MeasuredWormResult;
 use super::partition::Partition;
 use super::removal::RemovalResult;
 use super::stroke_plan::StrokePlan;
+use super::wanted_worm::WormFlankResult;
 use crate::job::Settings;
 use crate::workflow::control::result::ControlResult;
 use crate::workflow::programs::result::ProgramsResult;
@@ -158,6 +161,9 @@ pub struct SettingsResult {
     /// Nominal crossing angle of dresser and worm.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dressing_crossing_angle_deg: Option<f64>,
+    /// Conditions of dressing with what the motion leaves of them; absent where all of them are met exactly.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub dressing_conditions: Vec<ConditionResult>,
     /// Ratios that lay the tool's lines onto reliefs and waves of the target, per flank; absent where there are none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub demanded_ratios: Option<Sides<Vec<f64>>>,
@@ -203,6 +209,63 @@ impl LeastDeviationResult {
     }
 }
 
+/// A change of the job that was planned because its plan misses the target.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ChangeResult {
+    /// Keys with their new values, as a job file has them: of one job, or of one for each flank.
+    pub jobs: Vec<Vec<KeyChange>>,
+    /// What the change costs.
+    pub cost: &'static str,
+    /// Whether the target is met with it by plan and simulation; null where no plan was found.
+    pub status: Option<Status>,
+    /// Largest deviation that is left, normal; null where no plan was found.
+    pub deviation_um: Option<f64>,
+    /// Why it is not met.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
+}
+
+/// A key with its new value.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct KeyChange {
+    /// The key, from the root of the job.
+    pub key: String,
+    /// Its value as TOML has it.
+    pub value: String,
+}
+
+impl ChangeResult {
+    /// The keys with their new values, of all jobs.
+    pub fn keys(&self) -> String {
+        let of_key = |change: &KeyChange| format!("`{} = {}`", change.key, change.value);
+        self.jobs.iter().flatten().map(of_key).collect::<Vec<_>>().join("; ")
+    }
+}
+
+/// What the planned settings leave with the axes of `[deviations]` off, by the referee.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct DeviatedResult {
+    /// Flanks that are ground.
+    pub flanks: BTreeMap<&'static str, DeviatedFlank>,
+}
+
+/// A flank ground with axes that are off; normal, um.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct DeviatedFlank {
+    /// Largest deviation of the form from the target.
+    pub max_deviation_um: f64,
+    /// The same over the tolerance at its place; above 1 the target would be missed.
+    pub tolerance_share: f64,
+    /// Largest change of the form against the flank without deviations.
+    pub largest_change_um: f64,
+    /// Material left everywhere: what the thickness of the tooth changes by on this flank.
+    pub stock_um: f64,
+    /// Characteristics of the flank.
+    pub characteristics: CharacteristicsUm,
+    /// Change of the form against the flank without deviations, `[w][z]` on the grid of the result.
+    pub change_um: Vec<Vec<f64>>,
+}
+
 /// A plan that leaves no more than this beyond the bound, or this share of the tolerance, is next to it.
 const NEXT_TO_BOUND_UM: f64 = 0.2;
 const NEXT_TO_BOUND: f64 = 0.1;
@@ -227,9 +290,21 @@ pub struct JobResult {
     pub settings: SettingsResult,
     /// Flanks that are ground.
     pub flanks: BTreeMap<&'static str, FlankResult>,
+    /// The worm as wanted and as dressed, per flank; absent unless the job wants a worm topography.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub worm: BTreeMap<&'static str, WormFlankResult>,
     /// How near any flank could come; absent unless a plan misses its target and best fits know its bodies.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub least_deviation: Option<LeastDeviationResult>,
+    /// Changes of the job that were planned because its flank is missed, in order; the last one meets the target if one does.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub changes: Vec<ChangeResult>,
+    /// What the settings leave with axes that are off; absent without `[deviations]`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub deviated: Option<DeviatedResult>,
+    /// What a measured worm says of the dressing axes; absent without `[measured_worm]`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub measured_worm: Option<MeasuredWormResult>,
     /// The root of the gear; absent unless the worm's tip grinds it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gear_root: Option<GearRootResult>,

@@ -1,14 +1,17 @@
 //! `plan` and `simulate`: from a checked job to result, tables and report.
 
+use super::conditions::conditions_of_plan;
+use super::deviated::with_deviations;
 use super::drawn_values::{drawn_values, judge_traces};
 use super::equal_ratio_offers::equal_ratio_remark;
 use super::execution::Execution;
 use super::flank_verdict::{
-    judge_clearance, judge_control, judge_envelope, judge_flank, judge_programs, leave_other_flanks,
-    owe_line_dressing,
+    NO_MACHINE, judge_clearance, judge_control, judge_envelope, judge_flank, judge_programs,
+    leave_other_flanks, owe_line_dressing,
 };
 use super::gear_root::gear_root;
 use super::line_dressing::{LineDressingResult, WrittenFlank, line_dressing};
+use super::measured_worm::measured_worm;
 use super::miss::{Miss, missed};
 use super::partition::Partition;
 use super::prepare::{GivenSettings, Prepared, prepare};
@@ -16,17 +19,17 @@ use super::referee::{self, Cutting};
 use super::refusal::{of_planning, of_simulation};
 use super::removal::{RunCycle, judge_stock, put_on_stock, removal_of_run};
 use super::result::{CandidateResult, FlankResult, JobResult, LeastDeviationResult, SettingsResult};
-use super::roughing::judge_roughing;
+use super::roughing::{Roughed, judge_roughing, roughed_flanks};
 use super::tip_edge::{judge_tip_edge, tip_edge_depths};
 use super::tip_land::TipLands;
+use super::wanted_worm::{gear_missed, judge_worm, worm_flanks};
 use crate::job::LoadedJob;
 use crate::workflow::control::of_grinding::control_of_grinding;
 use crate::workflow::programs::of_grinding::programs_of_grinding;
 use crate::workflow::programs::run_programs::RunPrograms;
 use foundation::geometry::{Flank, Sides};
 use foundation::numerics::Progress;
-use generating::{GrindingPlan, RatioReason};
-use metrology::Topography;
+use generating::{Effort, GrindingPlan, RatioReason};
 use report::charts::DressingSectionChart;
 use run::{CharacteristicsUm, Release, RunFailure, output_warnings};
 use std::collections::BTreeMap;
@@ -58,8 +61,20 @@ pub struct Outcome {
 /// # Errors
 /// [`RunFailure`]. A target missed within its tolerance is no error: the status says so.
 pub fn plan_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outcome, RunFailure> {
+    planned(|| prepare(loaded)?.on_machine(loaded), progress)
+}
+
+/// As [`plan_job`], with the effort of a plan that is tried beside others.
+///
+/// # Errors
+/// [`RunFailure`].
+pub(super) fn plan_as_trial(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outcome, RunFailure> {
     let begun = Instant::now();
-    planned(prepare(loaded)?.on_machine(loaded)?, begun, progress)
+    let mut ready = prepare(loaded)?;
+    ready.rules.effort = Effort::Trial;
+    // The worm that was measured was dressed for the plan itself.
+    ready.measured_worm = None;
+    planned_once(ready, begun, progress).map_err(|refused| refused.failure)
 }
 
 /// Runs the settings that stand in the job.
@@ -82,19 +97,53 @@ pub fn run_without_programs(loaded: &LoadedJob, progress: &dyn Progress) -> Resu
     let ready = prepare(loaded)?;
     match GivenSettings::of_job(loaded, &ready)? {
         Some(settings) => simulated(ready, &settings, begun, progress),
-        None => planned(ready, begun, progress),
+        None => planned(|| prepare(loaded), progress),
     }
 }
 
-fn planned(ready: Prepared, begun: Instant, progress: &dyn Progress) -> Result<Outcome, RunFailure> {
+/// A plan that comes to nothing.
+struct Refused {
+    failure: RunFailure,
+    /// Whether a best fit was planned, and the simulation does not carry it out.
+    fitted: bool,
+}
+
+/// Plans. A best fit that the simulation does not carry out gives way to the nearest one whose command is smoother: the target is then
+/// missed with figures.
+fn planned(
+    ready: impl Fn() -> Result<Prepared, RunFailure>,
+    progress: &dyn Progress,
+) -> Result<Outcome, RunFailure> {
+    let begun = Instant::now();
+    let refused = match planned_once(ready()?, begun, progress) {
+        Ok(outcome) => return Ok(outcome),
+        Err(refused) => refused,
+    };
+    if refused.fitted {
+        for near in Effort::FURTHER {
+            let mut ready = ready()?;
+            ready.rules.effort = Effort::Further(near);
+            if let Ok(outcome) = planned_once(ready, begun, progress) {
+                return Ok(outcome);
+            }
+        }
+    }
+    Err(refused.failure)
+}
+
+fn planned_once(ready: Prepared, begun: Instant, progress: &dyn Progress) -> Result<Outcome, Refused> {
     let prepared_at = begun.elapsed().as_secs_f64();
     let planning = Instant::now();
     let plan = ready.task().plan_or_tried();
-    let plan = plan.map_err(|refused| of_planning(&refused, &ready))?;
+    let plan = plan.map_err(|refused| Refused { failure: of_planning(&refused, &ready), fitted: false })?;
     let planned_in = planning.elapsed().as_secs_f64();
     let execution = Execution::of_plan(&ready, &plan);
     let timing = BTreeMap::from([("prepare", prepared_at), ("plan", planned_in)]);
-    finish(ready, execution, Some(plan), timing, progress)
+    let fitted = plan.choice.reason == RatioReason::BestFit;
+    finish(ready, execution, Some(plan), timing, progress).map_err(|failure| Refused {
+        fitted: fitted && matches!(failure, RunFailure::NotProducible(_)),
+        failure,
+    })
 }
 
 fn simulated(
@@ -107,6 +156,9 @@ fn simulated(
     let timing = BTreeMap::from([("prepare", begun.elapsed().as_secs_f64())]);
     finish(ready, execution, None, timing, progress)
 }
+
+/// Why programs are left out.
+const ROUGHED_TOO_DEEP: &str = "a roughing stroke goes below the finished flank";
 
 fn finish(
     mut prepared: Prepared,
@@ -145,15 +197,23 @@ fn finish(
         None => Ok(Vec::new()),
     })
     .map_err(|e| of_simulation(&e, &prepared, plan.is_some()))?;
+    let deviated = with_deviations(&prepared, &execution, (&verdicts, cutting), progress)?;
+    let measured_worm = measured_worm(&prepared, &execution)?;
     let gear_root = gear_root(&prepared, &execution)?;
-    let tip_edge = tip_edge_depths(&prepared, &execution)?;
+    let tip_edge = tip_edge_depths(&prepared, &execution, (&verdicts, cutting))?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
     let controlling = Instant::now();
     let (control, alarms) = control_of_grinding(&prepared, &execution, &verdicts)?.unzip();
     if control.is_some() {
         timing.insert("control", controlling.elapsed().as_secs_f64());
     }
-    let programs = programs_of_grinding(&prepared, &execution, &verdicts, (cutting, &written))?;
+    let roughed = roughed_flanks(&prepared, &execution, (&verdicts, cutting));
+    let too_deep = roughed.iter().any(Roughed::is_too_deep);
+    // Programs that cut into the finished flank are not to be proven.
+    let programs = match too_deep {
+        true => None,
+        false => programs_of_grinding(&prepared, &execution, &verdicts, (cutting, &written))?,
+    };
     if let Some(programs) = &programs {
         timing.insert("programs", programs.seconds[0]);
         timing.insert("proof of the programs", programs.seconds[1]);
@@ -192,7 +252,7 @@ fn finish(
                 simulated_um: verdict.simulated.rows_um(),
                 max_deviation_um: deviation.largest() * 1e3,
                 rms_deviation_um: deviation.rms() * 1e3,
-                tolerance_share: tolerance_share(&prepared, &deviation) + from_lines,
+                tolerance_share: prepared.tolerance_share(&deviation) + from_lines,
                 model_difference_um: executed.planned.minus(&verdict.simulated).largest() * 1e3,
                 referee_error_um: verdict.grinding.error_um,
                 line_dressing: lines.cloned(),
@@ -220,11 +280,15 @@ fn finish(
             && f.planned_between_um.is_none_or(|between| between <= allowed)
     };
     let mut verdict = Verdict::new();
+    let worm = worm_flanks(&prepared, &execution, &verdicts);
     let least_deviation = plan.as_ref().and_then(|plan| plan.least).map(|least| {
         let left = flanks.values().map(|flank| flank.tolerance_share * tolerance).fold(0.0, f64::max);
         LeastDeviationResult::of(&least, left, tolerance)
     });
     let why = || {
+        if !worm.is_empty() {
+            return gear_missed(&worm);
+        }
         missed(&Miss {
             prepared: &prepared,
             plan: plan.as_ref(),
@@ -238,6 +302,7 @@ fn finish(
         judge_flank(&mut verdict, name, flank, judged_on, met(flank), why);
     }
     judge_traces(&mut verdict, &flanks, why);
+    judge_worm(&mut verdict, &worm, tolerance);
     for (name, flank) in &flanks {
         let limit = prepared.rules.least_determinant();
         judge_envelope(&mut verdict, name, flank.least_determinant_ratio, limit);
@@ -254,7 +319,8 @@ fn finish(
         verdict.leave("root of the gear", "the job does not grind it");
     }
     let made = programs.as_ref().map(|programs| &programs.result);
-    judge_programs(&mut verdict, made, tolerance, |name| flanks[name].tolerance_share);
+    let without = if too_deep { ROUGHED_TOO_DEEP } else { NO_MACHINE };
+    judge_programs(&mut verdict, made.ok_or(without), tolerance, |name| flanks[name].tolerance_share);
     if let Some(made) = made {
         judge_clearance(&mut verdict, made.clearance.as_ref());
         if written.iter().any(|(_, lines)| lines.is_some())
@@ -263,7 +329,7 @@ fn finish(
             owe_line_dressing(&mut verdict);
         }
     }
-    judge_roughing(&mut verdict, &prepared, &execution);
+    judge_roughing(&mut verdict, &prepared, roughed);
     if let Some(removal) = &removal.result {
         judge_stock(&mut verdict, removal);
     }
@@ -280,7 +346,11 @@ fn finish(
         warnings,
         settings: settings_result(&prepared, &execution, plan.as_ref(), partition, &tip_lands),
         flanks,
+        worm,
         least_deviation,
+        changes: Vec::new(),
+        deviated,
+        measured_worm,
         gear_root,
         control,
         drawing: prepared.measures.result(&prepared.setup.input.gear),
@@ -320,6 +390,7 @@ pub fn settings_result(
         demanded_ratios: plan
             .map(|p| p.choice.demanded.clone())
             .filter(|demanded| demanded.iter().any(|(_, ratios)| !ratios.is_empty())),
+        dressing_conditions: plan.map_or(Vec::new(), conditions_of_plan),
         lead_correction_ratio: plan.map(|p| p.choice.lead_correction),
         profile_crowning_by: plan.map(|p| p.choice.place.name()),
         candidates: candidates.map(CandidateResult::of).collect(),
@@ -337,12 +408,6 @@ pub fn settings_result(
         dressing_centre_distance_mm: dressing.map(|chain| chain.centre_distance),
         dressing_crossing_angle_deg: dressing.map(|chain| chain.crossing_angle.to_degrees()),
     }
-}
-
-/// Largest |deviation| over the tolerance at its place.
-fn tolerance_share(prepared: &Prepared, deviation: &Topography) -> f64 {
-    let points = deviation.w.iter().flat_map(|&w| deviation.z.iter().map(move |&z| (w, z)));
-    points.zip(&deviation.f).map(|((w, z), f)| f.abs() / prepared.tolerance.value(w, z)).fold(0.0, f64::max)
 }
 
 /// The rule that settled the ratio, in words.

@@ -1,6 +1,7 @@
 //! What a terminal shows of a run of generating grinding.
 
 use super::control::ControlResult;
+use super::measured_worm::{MeasuredWormResult, WormAxis};
 use super::programs::ProgramsResult;
 use super::result::JobResult;
 use super::run::Outcome;
@@ -74,6 +75,22 @@ pub fn proven(programs: Option<&ProgramsResult>) -> String {
         .collect()
 }
 
+/// Which dressing axes explain a measured worm.
+fn measured_worm(of: Option<&MeasuredWormResult>) -> String {
+    let Some(of) = of else { return String::new() };
+    let axis = |axis: &WormAxis| match axis.uncertainty {
+        0.0 => format!("{} held", axis.axis),
+        by => format!("{} {:.5} (uncertainty {by:.5})", axis.axis, axis.value),
+    };
+    let axes: Vec<String> = of.axes.iter().map(axis).collect();
+    format!(
+        "  measured worm: rms {:.3} um, {:.3} um with these axes off: {}\n",
+        of.rms_um,
+        of.rms_left_um,
+        axes.join(", ")
+    )
+}
+
 pub fn summary(result: &JobResult, written: &[PathBuf]) -> String {
     let worst = result.flanks.values().map(|f| f.max_deviation_um).fold(0.0, f64::max);
     let mut text = opening(&result.job, &result.verdict, worst, result.tolerance_um);
@@ -81,6 +98,7 @@ pub fn summary(result: &JobResult, written: &[PathBuf]) -> String {
     let why = settings.diagonal_ratio_reason.as_deref().unwrap_or("as set");
     let _ = writeln!(text, "  diagonal ratio {:.6} ({why})", settings.settings.diagonal_ratio);
     let _ = writeln!(text, "  worm length used {:.2} mm", settings.worm_length_mm);
+    text += &measured_worm(result.measured_worm.as_ref());
     for (flank, f) in &result.flanks {
         let t = &f.target_characteristics;
         let s = &f.simulated_characteristics;

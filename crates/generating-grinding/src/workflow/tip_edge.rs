@@ -3,9 +3,11 @@
 
 use super::execution::Execution;
 use super::prepare::Prepared;
+use super::referee::{Cutting, Verdict as Ground, rays_at};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::MotionLaw;
-use referee::{RootGrinding, RootRay};
+use foundation::numerics::equidistant;
+use referee::{RayGrid, RemovalError, RootGrinding, RootRay};
 use run::RunFailure;
 use verdict::{Remark, Verdict};
 
@@ -14,51 +16,73 @@ use verdict::{Remark, Verdict};
 const EDGE_RADII: [f64; 2] = [0.2, 0.1];
 /// Rays stand at these shares of the evaluated profile: an undercut is deepest at its start.
 const PLACES: [f64; 3] = [0.0, 0.1, 0.25];
+/// Sections over the face in which rays stand, where the motion or the worm changes along it.
+const SECTIONS: usize = 7;
+/// Feeds at which the infeed of the motion is looked at.
+const FEEDS: usize = 61;
 
 /// Largest depth that the tip edge cuts below each ground flank, mm; `None` where the tip does not reach past the point that
 /// grinds the base circle, so that it cannot undercut an involute, and where the worm's tip is made to grind the root.
 ///
 /// # Errors
-/// [`RunFailure`]: an edge that does not fit on the worm.
-pub fn tip_edge_depths(prepared: &Prepared, execution: &Execution) -> Result<Sides<Option<f64>>, RunFailure> {
+/// [`RunFailure`]: an edge that does not fit on the worm; a ray that nothing reaches.
+pub fn tip_edge_depths(
+    prepared: &Prepared,
+    execution: &Execution,
+    (verdicts, cutting): (&Sides<Option<Ground>>, Cutting<'_>),
+) -> Result<Sides<Option<f64>>, RunFailure> {
     let setup = &prepared.setup;
-    if setup.undercut <= 0.0 || setup.input.gear_root.is_some() {
+    if setup.input.gear_root.is_some() {
         return Ok(Sides { left: None, right: None });
     }
     let cone = setup.pair.worm.data().cone_angle.tan();
     let tip = MotionLaw::polynomial(0.0, vec![setup.worm_tip_radius, cone]);
-    let cylinders = setup.pair.worm.is_cylindrical() && setup.pair.work.is_cylindrical();
+    let motion = &execution.motion;
+    let feeds = equidistant(execution.feed_range, FEEDS);
+    let infeed = feeds.iter().map(|&feed| -motion.delta_d.value(feed)).fold(0.0, f64::max);
     Sides::try_from_fn(|flank| {
-        let Some(executed) = &execution.flanks[flank] else { return Ok(None) };
+        let (Some(executed), Some(ground)) = (&execution.flanks[flank], &verdicts[flank]) else {
+            return Ok(None);
+        };
+        // The point of the path of contact that grinds the base circle moves on the worm as the worm comes nearer.
+        if setup.undercut + infeed / setup.lines[flank].sin_an <= 0.0 {
+            return Ok(None);
+        }
+        let Some(modification) = ground.worm(&executed.tool) else { return Ok(None) };
         let work = setup.pair.work.flank(flank);
         let (w, z) = (&executed.target.w, &executed.target.z);
         let [first, last] = [w[0], w[w.len() - 1]];
-        // On cylinders every section is cut alike.
-        let sections = if cylinders { vec![z.len() / 2] } else { vec![0, z.len() / 2, z.len() - 1] };
         // The edge leaves the flank no further from the centre line than the path of contact of the whole profile reaches.
         let along = last;
-        let rays: Vec<RootRay> = sections
-            .into_iter()
-            .flat_map(|k| PLACES.map(|share| (first + share * (last - first), z[k])))
-            .map(|(w, z)| RootRay { foot: work.point(w, z), direction: work.normal(w, z) })
-            .collect();
+        let failed = |e: RemovalError| RunFailure::of_removal(&e, "worm.tip_diameter");
+        let grid = RayGrid::new(
+            PLACES.map(|share| first + share * (last - first)).to_vec(),
+            equidistant([z[0], z[z.len() - 1]], SECTIONS),
+        );
+        let grid = grid.map_err(failed)?;
+        let Some(by_flank) = rays_at(setup, execution, (flank, ground), cutting, &grid).map_err(failed)?
+        else {
+            return Ok(None);
+        };
+        let places = grid.w().iter().flat_map(|&w| grid.z().iter().map(move |&z| (w, z)));
+        let rays: Vec<RootRay> =
+            places.map(|(w, z)| RootRay { foot: work.point(w, z), direction: work.normal(w, z) }).collect();
         let cut = |corner_radius: f64| {
-            let grinding = RootGrinding {
-                worm: setup.pair.worm.flank(flank),
-                corner_radius,
-                tip: &tip,
-                motion: &execution.motion,
-                along,
-            };
-            grinding.lengths(&rays).map_err(|e| RunFailure::of_removal(&e, "worm.tip_diameter"))
+            let worm = setup.pair.worm.flank(flank);
+            let feeds = execution.feed_range;
+            let grinding =
+                RootGrinding { worm, modification, corner_radius, tip: &tip, motion, feeds, along };
+            grinding.lengths(&rays).map_err(failed)
         };
         let [coarse, fine] = [cut(EDGE_RADII[0])?, cut(EDGE_RADII[1])?];
         let share = EDGE_RADII[1] / (EDGE_RADII[0] - EDGE_RADII[1]);
-        let sharp = coarse.iter().zip(&fine).filter_map(|(coarse, fine)| {
-            let (coarse, fine) = ((*coarse)?, (*fine)?);
-            Some(fine + share * (fine - coarse))
-        });
-        Ok(Some(sharp.fold(0.0, |deepest: f64, length| deepest.max(-length))))
+        let mut deepest: f64 = 0.0;
+        for ((coarse, fine), by_flank) in coarse.iter().zip(&fine).zip(by_flank) {
+            let (Some(coarse), Some(fine)) = (coarse, fine) else { continue };
+            let sharp = fine + share * (fine - coarse);
+            deepest = deepest.max(by_flank - sharp);
+        }
+        Ok(Some(deepest))
     })
 }
 

@@ -3,7 +3,7 @@
 use super::truck_gear::TRUCK_GEAR;
 use foundation::numerics::Silent;
 use generating_grinding::job::LoadedJob;
-use generating_grinding::workflow::{JobResult, plan_job};
+use generating_grinding::workflow::{JobResult, plan_job, simulate_job};
 use job::{Source, parse_job_of as parse_job};
 use run::RunFailure;
 use verdict::Status;
@@ -58,6 +58,41 @@ fn the_tip_edge_of_the_worm_is_judged() {
     let result = planned(&job(&outside));
     assert_eq!(result.verdict.status(), Status::Met, "{:?}", result.verdict.reason());
     assert!(result.verdict.judged().iter().any(|one| one.item == "left flank: tip edge of the worm"));
+}
+
+/// The depth that the tip edge cuts below the left flank of a simulation, um.
+fn cut_by_edge(result: &JobResult) -> f64 {
+    let items = result.verdict.judged();
+    let one = items.iter().find(|one| one.item == "left flank: tip edge of the worm").expect("the item");
+    let text = one.detail.trim_start_matches("the tip edge cuts ");
+    text.split_once(' ').and_then(|(um, _)| um.parse().ok()).expect("a depth")
+}
+
+/// A worm that is thinner or thicker leaves flank and edge higher or lower alike, so that the depth below the ground flank stays. Infeed takes
+/// the edge down along the flank: by some 47 um for 50 um, where the cut is a tenth as steep.
+#[test]
+fn the_tip_edge_goes_with_the_flank_of_its_worm_and_with_the_infeed() {
+    let depth = |modification: &str, infeed_um: f64| {
+        let text = UNDERCUT
+            .replace("modifications = [{ kind = \"helix_crowning\", amount_um = 5.0 }]", "modifications = []")
+            .replace("tolerance_um = 1.0", "tolerance_um = 100.0")
+            .replace(
+                "tip_diameter = 200.0",
+                &format!("tip_diameter = 200.0\nwidth = 100.0\ntool = \"given\"\n{modification}"),
+            )
+            .replace("[dresser]\ntip_diameter = 120.0\n", "")
+            + &format!("[settings]\ndiagonal_ratio = -0.3\ndelta_d_um = [{infeed_um}]\n");
+        let result = simulate_job(&job(&text), &Silent).unwrap_or_else(|e| panic!("{e:?}")).result;
+        cut_by_edge(&result)
+    };
+    let plain = depth("", 0.0);
+    assert!((59.0..61.0).contains(&plain), "{plain}");
+    for um in [-50.0, 50.0] {
+        let moved = depth(&format!("modifications = [{{ kind = \"formula\", f_um = \"{um}\" }}]"), 0.0);
+        assert!((moved - plain).abs() < 1.0, "{um}: {moved} {plain}");
+    }
+    let nearer = depth("", -50.0) - plain;
+    assert!((3.0..6.0).contains(&nearer), "{nearer}");
 }
 
 #[test]

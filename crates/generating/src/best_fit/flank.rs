@@ -31,6 +31,17 @@ const BEYOND_BY_SMOOTHNESS: f64 = 10.0;
 /// 0.3.
 const CURVATURE: [f64; 2] = [-2.33, 0.7];
 
+/// Determinant ratio below which a place is remembered; how far apart such places are at least, in knots, and how many there are at most.
+const NEARLY_FOLDED: f64 = 0.25;
+const APART: f64 = 0.5;
+const MOST_FOLDS: usize = 400;
+
+/// A contact with its point on the unmodified worm.
+pub type Contact = (ContactSolution, (f64, f64));
+
+/// Contacts at some points of the grid.
+pub type SomeContacts = Vec<(usize, Contact)>;
+
 /// What is to be fitted on one flank.
 pub struct FlankFit<'a> {
     envelope: Envelope<'a>,
@@ -65,6 +76,10 @@ pub struct Step {
     pub near: f64,
 }
 
+/// Where commands that were tried nearly folded.
+#[derive(Clone, Debug, Default)]
+pub struct Folds(Vec<(Place, Section)>);
+
 /// A command on its way to the flank that is wanted.
 #[derive(Clone, Debug)]
 pub struct FlankCommand {
@@ -75,6 +90,12 @@ pub struct FlankCommand {
 }
 
 impl FlankCommand {
+    /// The solution of a programme.
+    fn of(programme: &FlankProgramme<'_>) -> Option<Self> {
+        let (coefficients, cost) = programme.solve()?;
+        Some(Self { coefficients, cost })
+    }
+
     /// The command in the middle between two.
     pub fn halfway(&self, to: &Self) -> Self {
         let middle = |(a, b): (&f64, &f64)| 0.5 * (a + b);
@@ -235,8 +256,7 @@ impl<'a> FlankFit<'a> {
         wanted: &[f64],
         rules: (Curvature, f64, Option<Held<'_>>),
     ) -> Option<FlankCommand> {
-        let (coefficients, cost) = self.programme(places, wanted, rules).solve()?;
-        Some(FlankCommand { coefficients, cost })
+        FlankCommand::of(&self.programme(places, wanted, rules))
     }
 
     fn programme<'p>(
@@ -259,34 +279,68 @@ impl<'a> FlankFit<'a> {
             axes: self.axes,
             reach: self.reach.as_ref(),
             held,
+            folded: &[],
         }
     }
 
     /// The places at which the tool touched, by the contacts on the grid.
-    fn touched(&self, at: &[(ContactSolution, (f64, f64))]) -> Vec<(Place, Section)> {
-        at.iter()
-            .zip(self.points())
-            .map(|((contact, foot), (section, w, z))| {
-                let there = self.envelope.section(self.envelope.roll_of_contact(section, (w, z), *foot));
-                (self.envelope.place_of_contact(*foot, contact.feed), there.unwrap_or(*section))
-            })
-            .collect()
+    fn touched(&self, at: &[Contact]) -> Vec<(Place, Section)> {
+        at.iter().enumerate().map(|(point, contact)| self.touched_at(point, contact)).collect()
     }
 
-    /// Least determinant ratio of a command where the tool touched and between, in second order; `None` where the gap is not open.
-    pub fn least_between(&self, command: &FlankCommand, at: &[(ContactSolution, (f64, f64))]) -> Option<f64> {
+    /// The place at which the tool touched one point of the grid.
+    fn touched_at(&self, point: usize, (contact, foot): &Contact) -> (Place, Section) {
+        let (row, column) = (point / self.z.len(), point % self.z.len());
+        let section = &self.sections[row];
+        let at = (self.w[row], self.z[column]);
+        let there = self.envelope.section(self.envelope.roll_of_contact(section, at, *foot));
+        (self.envelope.place_of_contact(*foot, contact.feed), there.unwrap_or(*section))
+    }
+
+    /// Determinant ratios of a command where the tool touched and between, in second order.
+    fn determinants(&self, command: &FlankCommand, at: &[Contact]) -> Option<Vec<((Place, Section), f64)>> {
         let places = self.touched(at);
         let rules = (Curvature::COMMAND, NEAR, None);
-        self.programme(&places, self.wanted, rules).least_determinant(&command.coefficients)
+        self.programme(&places, self.wanted, rules).determinants(&command.coefficients)
+    }
+
+    /// The least of them; `None` where the gap is not open.
+    pub fn least_between(&self, command: &FlankCommand, at: &[Contact]) -> Option<f64> {
+        let least = |least: f64, (_, one): ((Place, Section), f64)| f64::min(least, one);
+        Some(self.determinants(command, at)?.into_iter().fold(f64::INFINITY, least))
+    }
+
+    /// Notes where a command nearly folds: at the contacts of a tool, known at some points of the grid, and between them where all are.
+    pub fn note_folds(&self, command: &FlankCommand, at: &SomeContacts, folds: &mut Folds) {
+        let few = at.iter().filter(|(_, (contact, _))| contact.determinant_ratio < NEARLY_FOLDED);
+        let touched =
+            few.map(|(point, contact)| (self.touched_at(*point, contact), contact.0.determinant_ratio));
+        let mut places: Vec<((Place, Section), f64)> = touched.collect();
+        if at.len() == self.wanted.len() {
+            let all: Vec<Contact> = at.iter().map(|(_, contact)| *contact).collect();
+            let between = self.determinants(command, &all).into_iter().flatten();
+            places.extend(between.filter(|(_, ratio)| *ratio < NEARLY_FOLDED));
+        }
+        places.sort_by(|a, b| a.1.total_cmp(&b.1));
+        for (place, _) in places {
+            if folds.0.len() == MOST_FOLDS {
+                break;
+            }
+            if folds.0.iter().all(|(other, _)| self.bases.apart(&place.0, other) > APART) {
+                folds.0.push(place);
+            }
+        }
     }
 
     /// The next command, for a share of what is wanted, from where the tool touched: `at` are the contacts on the grid with their points
-    /// (w_1, z_1) on the unmodified worm. The flank follows the command one to one at a foot that is held; `step` says how.
+    /// (w_1, z_1) on the unmodified worm. The flank follows the command one to one at a foot that is held; `step` says how. It is no more
+    /// curved than the limits where others nearly folded.
     pub fn next(
         &self,
         command: &FlankCommand,
-        at: &[(ContactSolution, (f64, f64))],
-        (Step { share, hold, near }, cos_b2): (Step, f64),
+        at: &[Contact],
+        (Step { share, hold, near }, folds): (Step, &Folds),
+        cos_b2: f64,
     ) -> Option<FlankCommand> {
         let places = self.touched(at);
         let own: Vec<Place> = places.iter().map(|(place, _)| *place).collect();
@@ -298,11 +352,12 @@ impl<'a> FlankFit<'a> {
             .map(|((command, wanted), (contact, _))| command + share * wanted - contact.f_n / cos_b2)
             .collect();
         let held = Held { coefficients: &command.coefficients, price: hold };
-        self.programmed(&places, &values, (Curvature::COMMAND, near, Some(held)))
+        let rules = (Curvature::COMMAND, near, Some(held));
+        FlankCommand::of(&FlankProgramme { folded: &folds.0, ..self.programme(&places, &values, rules) })
     }
 
     /// Largest distance of contacts to what is wanted, by weight, transverse, mm.
-    pub fn off(&self, at: &[(ContactSolution, (f64, f64))], cos_b2: f64) -> f64 {
+    pub fn off(&self, at: &[Contact], cos_b2: f64) -> f64 {
         self.largest(self.wanted.iter().zip(at).map(|(wanted, (contact, _))| wanted - contact.f_n / cos_b2))
     }
 

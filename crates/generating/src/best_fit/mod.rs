@@ -16,6 +16,6 @@ mod smoother;
 mod within;
 
 pub(super) use expected::Expected;
-pub(super) use flank::Step;
-pub(super) use planner::{BestFit, BestFitTask, Contact, Contacts};
+pub(super) use flank::{Contact, Folds, SomeContacts, Step};
+pub(super) use planner::{BestFit, BestFitTask, Contacts};
 pub(super) use within::{NEAR, Within};

@@ -7,10 +7,9 @@ use super::super::{
     DressingLimits, DressingRows, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup,
     IdealPlan, PlanningGrid,
 };
-use super::flank::{FlankCommand, FlankFit, Step};
+use super::flank::{Contact, FlankCommand, FlankFit, Folds, SomeContacts, Step};
 use super::programme::{AxisShares, Limits};
 use super::within::Within;
-use contact::ContactSolution;
 use foundation::geometry::{Flank, Sides};
 use foundation::modification::{Modification, ToleranceMap};
 use std::sync::Arc;
@@ -42,9 +41,6 @@ pub struct BestFit<'a> {
     /// What is left, transverse, mm.
     pub off: Sides<f64>,
 }
-
-/// A contact with its point on the unmodified worm.
-pub type Contact = (ContactSolution, (f64, f64));
 
 /// Contacts on the grid.
 pub type Contacts = Vec<Contact>;
@@ -240,22 +236,33 @@ impl BestFit<'_> {
         Self { commands, ..self.clone() }
     }
 
-    /// The next best fit, from where the tool touched; `None` where a programme has no solution.
+    /// The next best fit, from where the tool touched, not curved too much where others nearly folded; `None` where a programme has no
+    /// solution.
     pub fn next(
         &self,
         setup: &GrindingSetup,
         contacts: &Sides<Option<Contacts>>,
         step: Step,
+        folds: &Sides<Folds>,
     ) -> Option<Self> {
         let next = |flank: Flank| {
             let (fit, command, at) =
                 (self.fits[flank].as_ref()?, self.commands[flank].as_ref()?, contacts[flank].as_ref()?);
-            fit.next(command, at, (step, setup.lines[flank].cos_b2))
+            fit.next(command, at, (step, &folds[flank]), setup.lines[flank].cos_b2)
         };
         let (left, right) = rayon::join(|| next(Flank::Left), || next(Flank::Right));
         let commands = Sides { left, right };
         let whole = commands.iter().all(|(flank, next)| next.is_some() == self.commands[flank].is_some());
         whole.then(|| Self { commands, ..self.clone() })
+    }
+
+    /// Notes where these commands nearly fold, by contacts of their tool.
+    pub fn note_folds(&self, contacts: &Sides<SomeContacts>, folds: &mut Sides<Folds>) {
+        for flank in Flank::BOTH {
+            if let (Some(fit), Some(command)) = (&self.fits[flank], &self.commands[flank]) {
+                fit.note_folds(command, &contacts[flank], &mut folds[flank]);
+            }
+        }
     }
 
     /// Least determinant ratio of the commands between contacts on the grid, where each stands for itself: what a grid passes over.

@@ -122,6 +122,8 @@ pub struct FlankProgramme<'a> {
     pub reach: Option<&'a Reach>,
     /// The command that the places were found for.
     pub held: Option<Held<'a>>,
+    /// Where else the curvature is bounded: commands that were tried nearly folded there.
+    pub folded: &'a [(Place, Section)],
 }
 
 /// A command near which the next one stays, where the tool would touch elsewhere: that is what the programme does not know.
@@ -219,11 +221,11 @@ impl FlankProgramme<'_> {
         Some([middle - half, middle + half])
     }
 
-    /// Least determinant ratio of a command, mm, where the tool touches and between: in the direction in which it is least.
-    pub fn least_determinant(&self, x: &[f64]) -> Option<f64> {
+    /// Determinant ratios of a command, mm, where the tool touches and between: in the direction in which it is least. `None` where the gap is
+    /// not open.
+    pub fn determinants(&self, x: &[f64]) -> Option<Vec<((Place, Section), f64)>> {
         let at = self.thinned().map(|(_, at)| *at).chain(self.between(JUDGED));
-        at.map(|at| Some(1.0 + self.curvature(x, &at)?[0]))
-            .try_fold(f64::INFINITY, |least, one| Some(f64::min(least, one?)))
+        at.map(|at| Some((at, 1.0 + self.curvature(x, &at)?[0]))).collect()
     }
 
     /// |wanted - f| <= near + excess, in tolerances of the place.
@@ -256,6 +258,7 @@ impl FlankProgramme<'_> {
             bounded.extend(self.between(CLOSENESS));
         }
         bounded.extend(self.beside);
+        bounded.extend(self.folded);
         bounded
     }
 

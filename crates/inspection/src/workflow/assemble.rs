@@ -210,13 +210,5 @@ fn summary(inspection: &Inspection, gear: &EvaluatedGear) -> Vec<SummaryResult> 
 
 fn of_pitch(gear: &EvaluatedGear, flank: Flank) -> Option<PitchInspectionResult> {
     let p = gear.pitch.as_ref()?.flanks[flank].as_ref()?;
-    Some(PitchInspectionResult {
-        single_um: 1e3 * p.single,
-        neighbours_um: 1e3 * p.neighbours,
-        range_um: 1e3 * p.single_range,
-        total_um: 1e3 * p.total,
-        sector_um: 1e3 * p.sector,
-        sector_pitches: p.sector_pitches,
-        cumulative_um: p.cumulative.iter().map(|mm| 1e3 * mm).collect(),
-    })
+    Some(PitchInspectionResult::of(p))
 }

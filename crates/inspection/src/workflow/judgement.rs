@@ -1,7 +1,6 @@
 //! The verdict on a measured gear: against a class of ISO 1328-1 with every characteristic that the class has, against a job with its
 //! surfaces, lines, bands and teeth. Without class and job nothing is asked for, and nothing is judged.
 
-use super::asked::Asked;
 use super::closed_loop::Round;
 use super::evaluate::{EvaluatedGear, EvaluatedTrace, trace_name};
 use super::result::BandResult;
@@ -157,12 +156,12 @@ fn is_of_class(inspection: &Inspection, what: &str) -> bool {
 /// The verdict on a part by its job.
 pub(super) fn of_job(
     last: &Round,
-    asked: &Asked,
+    (tolerance_um, asks_for): (f64, &dyn Fn(Flank) -> bool),
     bands: &BTreeMap<usize, BandResult>,
     unjudged: usize,
 ) -> Verdict {
-    let tolerance_um = asked.tolerance_um;
     let way_out = match (&last.result.correction, &last.result.no_correction) {
+        (Some(_), _) if last.corrected_milling.is_some() => "mill the next part by corrected-job.json".into(),
         (Some(_), _) => "grind the next part by corrected-job.json".into(),
         (None, Some(why)) => {
             format!("look at clamping, machine and measurement; no correction: {why}")
@@ -221,7 +220,7 @@ pub(super) fn of_job(
         }
     }
     for flank in Flank::BOTH {
-        if !asked.asks_for(flank) {
+        if !asks_for(flank) {
             verdict.leave(format!("{flank} flank as a surface"), "the job does not ask for it");
             continue;
         }

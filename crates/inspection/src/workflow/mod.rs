@@ -6,6 +6,7 @@ mod asked;
 mod assemble;
 mod averaged;
 mod bands;
+pub mod bevel;
 pub mod blank;
 mod blank_written;
 mod characteristics;
@@ -32,13 +33,14 @@ mod twist;
 pub mod write;
 
 pub use bands::Bands;
+pub use bevel::{BevelInspection, BevelInspectionResult, inspect_bevel, write_bevel_inspection};
 pub use blank::{BlankStock, BlankStockResult, blank_of_content, blank_of_file};
 pub use blank_written::{STOCK_TABLE, write_blank};
 pub(crate) use characteristics::characteristic_in_words;
 pub use characteristics::{PartCharacteristic, PartIdentity, characteristic_key, part_characteristics};
 pub use closed_loop::{
-    CharacteristicResult, CorrectedSettingResult, CorrectionResult, DifferenceResult, MachineChange,
-    MeasuredFlankResult, ProofResult, Round, RoundResult,
+    AxesTogether, AxisResult, CharacteristicResult, CorrectedSettingResult, CorrectionResult,
+    DifferenceResult, JointAxis, MachineChange, MeasuredFlankResult, ProofResult, Round, RoundResult,
 };
 pub use convert::{GearOfRexs, gear_of_rexs, rexs_of_job};
 pub use drawn::DrawnGear;
@@ -53,9 +55,9 @@ pub use files_content::MeasuredFiles;
 pub use generating_grinding::stock_file::MeasuredStock;
 pub use result::{
     ArealResult, BandResult, ClassResult, GearInspectionResult, LinesResult, PitchInspectionResult,
-    PrintedResult, SummaryResult, ThicknessResult, TraceInspectionResult, TwistResult,
+    PrintedResult, SummaryResult, ThicknessResult, TraceInspectionResult, TwistResult, class_in_words,
 };
-pub use run::{GearInspection, inspect_for_job, inspect_gear, inspect_simulated};
+pub use run::{GearInspection, inspect_for_job, inspect_for_milling, inspect_gear, inspect_simulated};
 pub use sheet::{SheetOptions, inspection_sheet, sheet_data, sheet_pages};
 pub use statements::Statements;
 pub use write::write_gear_inspection;

@@ -2,6 +2,7 @@
 //! reference length that stand beside them.
 
 use super::closed_loop::RoundResult;
+use metrology::inspection::PitchEvaluation;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -258,6 +259,21 @@ pub struct PitchInspectionResult {
     pub cumulative_um: Vec<f64>,
 }
 
+impl PitchInspectionResult {
+    /// Of an evaluation.
+    pub(super) fn of(pitch: &PitchEvaluation) -> Self {
+        Self {
+            single_um: 1e3 * pitch.single,
+            neighbours_um: 1e3 * pitch.neighbours,
+            range_um: 1e3 * pitch.single_range,
+            total_um: 1e3 * pitch.total,
+            sector_um: 1e3 * pitch.sector,
+            sector_pitches: pitch.sector_pitches,
+            cumulative_um: pitch.cumulative.iter().map(|mm| 1e3 * mm).collect(),
+        }
+    }
+}
+
 /// Profile shift coefficients that the sizes mean.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ThicknessResult {
@@ -281,6 +297,11 @@ pub struct ClassResult {
     pub value_um: f64,
     /// Class; absent if worse than 11.
     pub class: Option<i32>,
+}
+
+/// A class in words; without one the value is worse than the last.
+pub fn class_in_words(class: Option<i32>) -> String {
+    class.map_or_else(|| "worse than 11".to_owned(), |class| class.to_string())
 }
 
 /// A printed value.

@@ -4,7 +4,7 @@ use super::areal::areal;
 use super::asked::Asked;
 use super::assemble::{InspectionContext, gear_result};
 use super::bands::Bands;
-use super::closed_loop::{Round, of_file, of_header, simulated};
+use super::closed_loop::{Round, of_file, of_header, of_milled_file, simulated};
 use super::evaluate::{Design, EvaluatedGear, evaluate_inspection, trace_name, without_design};
 use super::files::{read_measurement, refused};
 use super::files_content::MeasuredFiles;
@@ -17,6 +17,7 @@ use foundation::numerics::Progress;
 use generating_grinding::job::LoadedJob;
 use job::tables::{JobInfo, Language};
 use measured_files::inspection::Inspection;
+use milling::job::LoadedMillingJob;
 use run::{JobFailure, RunFailure};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -112,6 +113,58 @@ pub fn inspect_for_job(
     Ok(of_rounds(&asked, class, vec![round], stem(path), told, begun)?)
 }
 
+/// Judges a measured file against a job of five-axis milling, and by a class of ISO 1328-1 where one is asked for, here or by
+/// `gear.tolerance_class`.
+///
+/// # Errors
+/// As [`inspect_gear`]; a measurement of another gear, a workpiece that is no cylindrical gear, and what is wrong with the job.
+pub fn inspect_for_milling(
+    loaded: &LoadedMillingJob,
+    path: &Path,
+    statements: &Statements,
+    class: Option<i32>,
+    progress: &dyn Progress,
+) -> Result<GearInspection, JobFailure> {
+    let begun = Instant::now();
+    let job = &loaded.job;
+    let class = class.or(job.gear.as_ref().and_then(|gear| gear.drawing.tolerance_class));
+    judgement::check_class(class)?;
+    let (round, files) = of_milled_file(loaded, (path, statements), progress)?;
+    let tolerance_um = job.target.tolerance_um;
+    let asks_for = |flank: Flank| job.flanks().contains(&flank);
+    let mut verdict = judgement::of_job(&round, (tolerance_um, &asks_for), &BTreeMap::new(), 0);
+    if let Some(class) = class {
+        verdict.extend(judgement::of_class(&round.inspection, &round.gear, class));
+    }
+    let mut remarks = files.remarks;
+    remarks.extend(remarks_on_surfaces(&round, tolerance_um));
+    let context = InspectionContext {
+        name: stem(path),
+        not_understood: files.not_understood,
+        remarks,
+        stated: files.stated,
+        rounds: vec![round.result.clone()],
+        bands: BTreeMap::new(),
+        areal: BTreeMap::new(),
+        tolerance_um: Some(tolerance_um),
+        verdict,
+        tolerance_class: class,
+        timing: BTreeMap::from([("all", begun.elapsed().as_secs_f64())]),
+    };
+    let result = gear_result(&round.inspection, &round.gear, context);
+    let (inspection, gear) = (round.inspection.clone(), round.gear.clone());
+    Ok(GearInspection {
+        result,
+        inspection,
+        gear,
+        rounds: vec![round],
+        against_target: None,
+        bands: Bands::default(),
+        job: Some(job.job.clone()),
+        language: job.output.language,
+    })
+}
+
 /// Measures and corrects the simulated machine of a job; the last part is judged by the class as well, where one is asked for.
 ///
 /// # Errors
@@ -167,42 +220,9 @@ fn of_rounds(
             None => {}
         }
     }
-    for (flank, of) in &last.result.flanks {
-        if !of.sees_twist {
-            remarks.push(Remark {
-                code: "twist-not-measured",
-                text: format!(
-                    "one profile and one helix trace tell nothing of the twist of the {flank} flank: its surface was taken to have that of the target"
-                ),
-                way_out: "measure a second profile or a second helix trace of the same tooth".into(),
-            });
-        }
-        if let Some([_, most]) = of.mismatch_um.filter(|[_, most]| *most > asked.tolerance_um) {
-            remarks.push(Remark {
-                code: "lines-disagree",
-                text: format!(
-                    "profiles and helix traces of the {flank} flank disagree by {most:.3} um where they cross"
-                ),
-                way_out: "look for burrs and dust at the crossings, and measure again".into(),
-            });
-        }
-        remarks.extend(of.standing_out.iter().map(|(tooth, most)| Remark {
-            code: "tooth-stands-out",
-            text: format!("tooth {tooth} of the {flank} flank differs from what all share by {most:.3} um"),
-            way_out: "look at that tooth, and measure it again".into(),
-        }));
-        if of.sees_twist {
-            remarks.extend(of.outside_traces.iter().map(|(along, share)| Remark {
-            code: "outside-traces",
-            text: format!(
-                "the surface of the {flank} flank goes {:.0} % of the field beyond the outermost lines, by {along}",
-                100.0 * share
-            ),
-            way_out: "measure lines nearer to the ends of the field".into(),
-        }));
-        }
-    }
-    let mut verdict = judgement::of_job(last, asked, &bands, unjudged);
+    remarks.extend(remarks_on_surfaces(last, asked.tolerance_um));
+    let asks_for = |flank| asked.asks_for(flank);
+    let mut verdict = judgement::of_job(last, (asked.tolerance_um, &asks_for), &bands, unjudged);
     if let Some(class) = class {
         verdict.extend(judgement::of_class(&last.inspection, &last.gear, class));
     }
@@ -234,6 +254,47 @@ fn of_rounds(
         job: Some(asked.info.clone()),
         language: asked.language,
     })
+}
+
+/// What measured surfaces do not tell, or tell twice.
+fn remarks_on_surfaces(last: &Round, tolerance_um: f64) -> Vec<Remark> {
+    let mut remarks = Vec::new();
+    for (flank, of) in &last.result.flanks {
+        if !of.sees_twist {
+            remarks.push(Remark {
+                code: "twist-not-measured",
+                text: format!(
+                    "one profile and one helix trace tell nothing of the twist of the {flank} flank: its surface was taken to have that of the target"
+                ),
+                way_out: "measure a second profile or a second helix trace of the same tooth".into(),
+            });
+        }
+        if let Some([_, most]) = of.mismatch_um.filter(|[_, most]| *most > tolerance_um) {
+            remarks.push(Remark {
+                code: "lines-disagree",
+                text: format!(
+                    "profiles and helix traces of the {flank} flank disagree by {most:.3} um where they cross"
+                ),
+                way_out: "look for burrs and dust at the crossings, and measure again".into(),
+            });
+        }
+        remarks.extend(of.standing_out.iter().map(|(tooth, most)| Remark {
+            code: "tooth-stands-out",
+            text: format!("tooth {tooth} of the {flank} flank differs from what all share by {most:.3} um"),
+            way_out: "look at that tooth, and measure it again".into(),
+        }));
+        if of.sees_twist {
+            remarks.extend(of.outside_traces.iter().map(|(along, share)| Remark {
+            code: "outside-traces",
+            text: format!(
+                "the surface of the {flank} flank goes {:.0} % of the field beyond the outermost lines, by {along}",
+                100.0 * share
+            ),
+            way_out: "measure lines nearer to the ends of the field".into(),
+        }));
+        }
+    }
+    remarks
 }
 
 fn stem(path: &Path) -> String {

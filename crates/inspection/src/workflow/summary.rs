@@ -1,6 +1,7 @@
 //! What an inspection comes to for callers that treat all tasks alike, and what a terminal shows of it.
 
-use super::result::{GearInspectionResult, SummaryResult};
+use super::closed_loop::JointAxis;
+use super::result::{GearInspectionResult, PitchInspectionResult, SummaryResult, class_in_words};
 use super::run::GearInspection;
 use super::sheet::SheetOptions;
 use super::write::write_gear_inspection;
@@ -8,6 +9,7 @@ use crate::workflow::closed_loop::RoundResult;
 use erased_serde::Serialize;
 use run::summary::{closing, fixed, give, opening};
 use run::{Remark, TaskOutcome, WriteError};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use verdict::{Status, Verdict};
@@ -109,18 +111,9 @@ fn evaluated(text: &mut String, result: &GearInspectionResult) {
             }
         }
     }
-    for (flank, pitch) in &result.pitch {
-        let _ = writeln!(
-            text,
-            "  pitch   {flank:<5} fp {:.2}, fu {:.2}, Fp {:.2} um",
-            pitch.single_um, pitch.neighbours_um, pitch.total_um
-        );
-    }
-    if let Some(run_out) = result.run_out_um {
-        let _ = writeln!(text, "  run-out {run_out:.2} um");
-    }
+    of_pitch(text, &result.pitch, result.run_out_um);
     if !result.classes.is_empty() {
-        let class = result.class.map_or_else(|| "worse than 11".to_owned(), |class| class.to_string());
+        let class = class_in_words(result.class);
         let part = if result.class_is_partial { ", of what could be evaluated" } else { "" };
         let _ = writeln!(text, "  class of ISO 1328-1:2013: {class}{part}");
     }
@@ -135,7 +128,25 @@ fn evaluated(text: &mut String, result: &GearInspectionResult) {
     }
 }
 
-fn of_round(text: &mut String, round: &RoundResult, of: usize) {
+/// Pitches by flank and the run-out.
+pub(super) fn of_pitch(
+    text: &mut String,
+    pitches: &BTreeMap<&'static str, PitchInspectionResult>,
+    run_out_um: Option<f64>,
+) {
+    for (flank, pitch) in pitches {
+        let _ = writeln!(
+            text,
+            "  pitch   {flank:<5} fp {:.2}, fu {:.2}, Fp {:.2} um",
+            pitch.single_um, pitch.neighbours_um, pitch.total_um
+        );
+    }
+    if let Some(run_out) = run_out_um {
+        let _ = writeln!(text, "  run-out {run_out:.2} um");
+    }
+}
+
+pub(super) fn of_round(text: &mut String, round: &RoundResult, of: usize) {
     let number = if of > 1 { format!("round {}: ", round.round) } else { String::new() };
     for (flank, found) in &round.flanks {
         let explained = if found.explained { ", as the plan says" } else { "" };
@@ -154,6 +165,24 @@ fn of_round(text: &mut String, round: &RoundResult, of: usize) {
             of.characteristic,
             fixed(of.common_um, 3)
         );
+    }
+    if let Some(axis) = round.axes.first() {
+        let _ = writeln!(
+            text,
+            "    {} = {} (uncertainty {}) would explain {:.0} % of it",
+            axis.axis,
+            fixed(axis.value, 4),
+            fixed(axis.uncertainty, 4),
+            100.0 * axis.explains
+        );
+    }
+    if let Some(together) = &round.axes_together {
+        let named = |axis: &JointAxis| {
+            format!("{} = {} (uncertainty {})", axis.axis, fixed(axis.value, 4), fixed(axis.uncertainty, 4))
+        };
+        let named: Vec<String> = together.axes.iter().map(named).collect();
+        let share = 100.0 * together.explains;
+        let _ = writeln!(text, "    together {} would explain {share:.0} % of it", named.join(", "));
     }
     if let Some(why) = &round.no_correction {
         let _ = writeln!(text, "    no correction: {why}");

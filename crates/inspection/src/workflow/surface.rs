@@ -148,7 +148,7 @@ fn fitted(points: &[(f64, f64, f64)], w: &[f64], z: &[f64]) -> Option<Topography
 }
 
 /// The mean of surfaces, each about its own mean over the places that all have.
-fn mean<'a>(surfaces: impl IntoIterator<Item = &'a Topography>) -> Option<Topography> {
+pub(super) fn mean<'a>(surfaces: impl IntoIterator<Item = &'a Topography>) -> Option<Topography> {
     let surfaces: Vec<&Topography> = surfaces.into_iter().collect();
     let first = surfaces.first()?;
     let common: Vec<bool> = (0..first.f.len()).map(|k| surfaces.iter().all(|s| s.f[k].is_finite())).collect();

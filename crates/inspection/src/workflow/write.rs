@@ -30,6 +30,10 @@ pub fn write_gear_inspection(
         let what = "the job with the compensation that answers the measurement: input of `flankwright plan`";
         files.push(("corrected-job.json".into(), what, json(&standing_elsewhere(job, &job.job)?)?));
     }
+    if let Some(job) = found.rounds.iter().rev().find_map(|round| round.corrected_milling.as_ref()) {
+        let what = "the job with the compensation that answers the measurement: input of `flankwright plan`";
+        files.push(("corrected-job.json".into(), what, json(&standing_elsewhere(job, &job.job)?)?));
+    }
     for round in found.rounds.iter().filter(|round| is_simulated(&round.inspection)) {
         let path = format!("measured-{}.csv", round.result.round);
         let table = trace_table(&round.inspection.traces)?;

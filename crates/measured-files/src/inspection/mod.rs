@@ -10,6 +10,7 @@ mod encoding;
 pub mod error;
 mod field_table;
 pub mod gear;
+mod grid_table;
 #[expect(clippy::module_inception, reason = "the inspection is the model that this room is about")]
 pub mod inspection;
 pub mod klingelnberg;
@@ -31,6 +32,7 @@ pub use encoding::Encoding;
 pub use error::InspectionError;
 pub use field_table::topography_table;
 pub use gear::InspectedGear;
+pub use grid_table::{GridReading, GridSize, Touched, parse_grid_table, read_grid_table};
 pub use inspection::Inspection;
 pub use klingelnberg::{
     Circles as CircleTable, Curve, FileKind, HeaderEntry, KlingelnbergFile, MAXIMUM_FILE_BYTES,

@@ -14,7 +14,6 @@ use super::signs::REMOVED;
 use super::topography;
 use super::values::{Asked, title};
 use super::warning::{RexsWarning, RexsWarningKind};
-use foundation::geometry::Flank;
 use foundation::modification::{AmountSpec, EvaluationField, FlankChoice, ModificationSpec, Reference};
 
 /// What a flank carries.
@@ -105,10 +104,7 @@ impl Reader<'_> {
     }
 
     fn flank(&self) -> FlankChoice {
-        match self.place.involute.flank {
-            Flank::Left => FlankChoice::Left,
-            Flank::Right => FlankChoice::Right,
-        }
+        self.place.involute.flank.into()
     }
 
     /// An amount of `mm` millimetres.

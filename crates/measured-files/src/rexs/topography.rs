@@ -68,7 +68,7 @@ pub(super) fn read(
     }
     let z: Vec<f64> = xi.iter().map(|xi| place.height(*xi)).collect();
     let table = table(component, &w, &z, &amounts)?;
-    let flank = if flank == Flank::Left { FlankChoice::Left } else { FlankChoice::Right };
+    let flank = FlankChoice::from(flank);
     if table.w.len() < LEAST || table.z.len() < LEAST {
         let mut points = Vec::with_capacity(amounts.len());
         for (i, w) in table.w.iter().enumerate() {

@@ -155,10 +155,12 @@ pub enum InspectionError {
         needed: usize,
     },
     /// The standard gives no tolerance for this gear.
-    #[error("{name} = {value} is outside the range of ISO 1328-1, {from} to {to}")]
+    #[error("{name} = {value} is outside the range of {standard}, {from} to {to}")]
     #[finding(code = "out-of-standard-range")]
     #[way_out("agree upon tolerances for this gear: none are extrapolated")]
     OutOfStandardRange {
+        /// The standard.
+        standard: &'static str,
         /// Name of the quantity, with its unit.
         name: &'static str,
         /// Its value.

@@ -4,6 +4,8 @@
 //! Lengths and deviations are mm, angles rad. A deviation is positive where material stands, on both flanks; what a sheet prints with
 //! another sign carries that sign with it ([`Slope`]).
 
+mod bevel_pitch;
+mod bevel_tolerances;
 mod classes;
 mod eccentricity;
 mod error;
@@ -26,6 +28,8 @@ mod trace_evaluation;
 mod twist;
 mod warning;
 
+pub use bevel_pitch::{PitchPoint, bevel_pitch, bevel_run_out};
+pub use bevel_tolerances::{BEVEL_CLASSES, BevelQuantity, BevelToleranceGear, BevelTolerances};
 pub use classes::{ReachedClasses, reached_class, reached_classes};
 pub use eccentricity::{Eccentricity, FlankAngles, eccentricity};
 pub use error::InspectionError;

@@ -152,11 +152,24 @@ impl Tolerances {
     }
 }
 
-fn in_range(name: &'static str, value: f64, [from, to]: [f64; 2]) -> Result<(), InspectionError> {
+fn in_range(name: &'static str, value: f64, ends: [f64; 2]) -> Result<(), InspectionError> {
+    in_range_of("ISO 1328-1", name, value, ends)
+}
+
+/// Refuses what a standard does not cover.
+///
+/// # Errors
+/// [`InspectionError::OutOfStandardRange`].
+pub(super) fn in_range_of(
+    standard: &'static str,
+    name: &'static str,
+    value: f64,
+    [from, to]: [f64; 2],
+) -> Result<(), InspectionError> {
     if (from..=to).contains(&value) {
         Ok(())
     } else {
-        Err(InspectionError::OutOfStandardRange { name, value, from, to })
+        Err(InspectionError::OutOfStandardRange { standard, name, value, from, to })
     }
 }
 

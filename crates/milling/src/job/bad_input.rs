@@ -14,7 +14,30 @@ fn every_case_is_found() {
     assert_found::<MillingJob>(&limits, LIMIT_CASES);
     assert_found::<MillingJob>(&with_body("bevel"), BEVEL_CASES);
     assert_found::<MillingJob>(&with_mate(), MATE_CASES);
+    sound(&with_cylindrical_mate());
+    assert_found::<MillingJob>(&with_cylindrical_mate(), CYLINDRICAL_MATE_CASES);
     assert_found::<MillingJob>(&ruled(), BLADE_CASES);
+    assert_found::<MillingJob>(&naca_blade(), NACA_CASES);
+    sound(&with_body("grid_gear"));
+    assert_found::<MillingJob>(&with_body("grid_gear"), GRID_CASES);
+}
+
+/// What a cylindrical gear can have and a conical one cannot, in both.
+#[test]
+fn a_conical_gear_has_neither_a_mate_nor_a_row_for_its_guide_curve() {
+    let cone =
+        |text: &str| text.replacen("helix_angle_deg = 0.0", "helix_angle_deg = 0.0\ncone_angle_deg = 3.0", 1);
+    sound(&cone(&template()));
+    let through = cone(&template()).replace("rows = 14", "rows = 14\nlead_through_row = 3");
+    for (text, code, field) in [
+        (cone(&with_cylindrical_mate()), "not-yet-supported", "gear.cone_angle_deg"),
+        (through, "invalid-job", "milling.lead_through_row"),
+    ] {
+        let error = read(&text).expect_err(field);
+        let finding = &error.diagnostics[0];
+        assert_eq!((finding.code, finding.field.as_deref()), (code, Some(field)), "{error}");
+        assert!(finding.value.is_some() && finding.allowed.is_some() && finding.way_out.is_some());
+    }
 }
 
 /// A bevel gear with its mate.
@@ -22,11 +45,23 @@ fn with_mate() -> String {
     let bevel = with_body("bevel");
     let mate = with_body("mate");
     let (from, to) = (mate.find("[mate]").unwrap(), mate.find("[target]").unwrap());
-    bevel.replace("[target]", &format!("{}[target]", &mate[from..to]))
+    let of_bevel = |line: &&str| !line.starts_with("gear") && !line.starts_with("centre_distance");
+    let mate: String = mate[from..to].lines().filter(of_bevel).map(|line| line.to_owned() + "\n").collect();
+    bevel.replace("[target]", &format!("{mate}[target]"))
+}
+
+/// A spur gear with its mate.
+fn with_cylindrical_mate() -> String {
+    let mate = with_body("mate");
+    let (from, to) = (mate.find("[mate]").unwrap(), mate.find("[target]").unwrap());
+    let bevels = ["teeth", "shaft_angle_deg", "ease_off"];
+    let of_gear = |line: &&str| !bevels.iter().any(|key| line.starts_with(key));
+    let mate: String = mate[from..to].lines().filter(of_gear).map(|line| line.to_owned() + "\n").collect();
+    template().replace("[target]", &format!("{mate}[target]"))
 }
 
 #[test]
-fn a_mate_belongs_to_a_bevel_gear_and_has_usual_defaults() {
+fn a_mate_has_usual_defaults_and_blades_have_none() {
     let job = sound(&with_mate());
     let mate = job.mate.unwrap();
     let text = with_mate();
@@ -41,10 +76,23 @@ fn a_mate_belongs_to_a_bevel_gear_and_has_usual_defaults() {
     }
     let angle = mate.conjugate_angle_deg(&job.bevel.unwrap()).unwrap();
     assert!((angle - 66.8014).abs() < 1e-3, "{angle}");
-    let spur = template().replace("[target]", "[mate]\nteeth = 35\n[target]");
-    let error = read(&spur).expect_err("a mate of a spur gear");
+    let blade = ruled().replace("[target]", "[mate]\nteeth = 35\n[target]");
+    let error = read(&blade).expect_err("a mate of a blade");
     let finding = &error.diagnostics[0];
     assert_eq!((finding.code, finding.field.as_deref()), ("invalid-job", Some("mate")), "{error}");
+}
+
+/// Why the root of an internal gear is not milled: no cutter that finishes its flank draws it.
+#[test]
+fn the_root_of_an_internal_gear_is_refused_with_its_reason() {
+    let path = format!("{}/../../examples/milling/internal-ring.toml", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(path).unwrap();
+    sound(&text);
+    let with_root = text.replace("[simulation]", "[milling.root]\nbottom = 0.0\n[simulation]");
+    let error = read(&with_root).expect_err("the root of an internal gear");
+    let finding = &error.diagnostics[0];
+    assert_eq!((finding.code, finding.field.as_deref()), ("invalid-job", Some("milling.root")), "{error}");
+    assert!(finding.message.contains("hollow flank") && finding.way_out.is_some(), "{error}");
 }
 
 #[test]
@@ -62,6 +110,13 @@ fn a_root_cone_stays_open() {
 }
 
 const GEAR_CASES: &[Case] = &[
+    (
+        "[cutter]",
+        "[measuring_grid]\nrows = 5\n[cutter]",
+        "invalid-job",
+        "measuring_grid",
+        &["[bevel]", "bevel gears are measured"],
+    ),
     ("teeth = 20", "teeht = 20", "unknown-key", "gear.teeht", &["did you mean `teeth`", "double_helical"]),
     ("teeth = 20\n", "", "missing-key", "gear.teeth", &["whole number"]),
     ("normal_module = 8.0", "normal_module = nan", "invalid-number", "gear.normal_module", &["NaN", "> 0"]),
@@ -73,11 +128,11 @@ const GEAR_CASES: &[Case] = &[
         &["130", "140"],
     ),
     (
-        "form_diameter",
-        "cone_angle_deg = 2.0\nform_diameter",
-        "not-yet-supported",
+        "helix_angle_deg = 0.0",
+        "helix_angle_deg = 20.0\ncone_angle_deg = 2.0\ndouble_helical = { gap = 4.0 }",
+        "invalid-job",
         "gear.cone_angle_deg",
-        &["2", "[bevel]"],
+        &["2", "double_helical"],
     ),
     (
         "face_width = 60.0",
@@ -115,6 +170,21 @@ const GEAR_CASES: &[Case] = &[
         &["-31.5", "between -30 and 30"],
     ),
     ("tolerance_um = 10.0", "tolerance_um = inf", "invalid-number", "target.tolerance_um", &["inf", "> 0"]),
+    ("rows = 14", "rows = 14\ntilt_at_tip_deg = 90", "invalid-number", "milling.tilt_at_tip_deg", &["< 90"]),
+    (
+        "rows = 14",
+        "rows = 14\ntilt_at_tip_deg = 20",
+        "invalid-job",
+        "milling.tilt_at_tip_deg",
+        &["> 0", "lean differently"],
+    ),
+    (
+        "rows = 14",
+        "rows = 14\ntilt_deg = 20\ntilt_at_tip_deg = -3",
+        "invalid-job",
+        "milling.tilt_at_tip_deg",
+        &["towards the flank"],
+    ),
     (
         "tolerance_um = 10.0",
         "ease_off = { profile_um = 5.0 }",
@@ -362,6 +432,161 @@ const GEAR_CASES: &[Case] = &[
         "simulation.rays_profile",
         &["250000"],
     ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nprobe = { number = 90, diameter = 4.0, tool_length = 140.0 }",
+        "invalid-job",
+        "machine.probe",
+        &["clocking = true"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nwork_offset = { number = 1, clocking = true }\nprobe = { number = 1, diameter = 4.0, tool_length = 140.0 }",
+        "invalid-job",
+        "machine.probe.number",
+        &["1", "no cutter"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nwork_offset = { number = 1, clocking = true }\nprobe = { number = 90, diameter = 4.0, tool_length = 140.0, stem_diameter = 4.0 }",
+        "invalid-job",
+        "machine.probe.stem_diameter",
+        &["4", "< 4"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nprobe = { number = 0, diameter = 4.0, tool_length = 140.0 }",
+        "invalid-number",
+        "machine.probe.number",
+        &[">= 1"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nprobe = { number = 90, diameter = 0, tool_length = 140.0 }",
+        "invalid-number",
+        "machine.probe.diameter",
+        &["> 0", "smaller than the space"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nprobe = { number = 90, diameter = 4.0, tool_length = 0 }",
+        "invalid-number",
+        "machine.probe.tool_length",
+        &["> 0"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nprobe = { number = 90, diameter = 4.0, tool_length = 140.0, length_offset = 1000 }",
+        "invalid-number",
+        "machine.probe.length_offset",
+        &["1000", "<= 999"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nprobe = { number = 90, diameter = 4.0, tool_length = 140.0, height = -1.0 }",
+        "invalid-number",
+        "machine.probe.height",
+        &["-1", "> 0"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nprobe = { number = 90, diameter = 4.0, tool_length = 140.0, search_deg = 21.0 }",
+        "invalid-number",
+        "machine.probe.search_deg",
+        &["21", "<= 20"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nprobe = { number = 90, diameter = 4.0, tool_length = 140.0, turn_deg_per_min = 0 }",
+        "invalid-number",
+        "machine.probe.turn_deg_per_min",
+        &["> 0"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nprobe = { number = 90, diameter = 4.0, tool_length = 140.0, feed_mm_per_min = 0 }",
+        "invalid-number",
+        "machine.probe.feed_mm_per_min",
+        &["> 0"],
+    ),
+    ("[cutter]", "[compensation]\n[cutter]", "missing-key", "compensation.modifications", &[]),
+    (
+        "[simulation]",
+        "[stock]\nform = \"solid\"\n[simulation]",
+        "invalid-job",
+        "stock.form",
+        &["solid", "pre-cut", "[milling.roughing]"],
+    ),
+    (
+        "[simulation]",
+        "[stock]\nform = \"cast\"\n[simulation]",
+        "unknown-value",
+        "stock.form",
+        &["cast", "\"pre-cut\""],
+    ),
+    (
+        "[simulation]",
+        "[stock]\nform = \"pre-cut\"\n[simulation]",
+        "missing-key",
+        "stock.allowance",
+        &["normal to the flanks"],
+    ),
+    (
+        "[simulation]",
+        "[stock]\nform = \"pre-cut\"\nallowance = -0.1\n[simulation]",
+        "invalid-number",
+        "stock.allowance",
+        &["-0.1", ">= 0"],
+    ),
+    (
+        "[simulation]",
+        "[stock]\nform = \"pre-cut\"\nallowance = 0.2\nclocking_error_deg = 11.0\n[simulation]",
+        "invalid-number",
+        "stock.clocking_error_deg",
+        &["11", "<= 10"],
+    ),
+    (
+        "[simulation]",
+        "[milling.roughing]\nallowance = 0.3\nstep_down = 2\nstep_over = 2\n[stock]\nform = \"pre-cut\"\nallowance = 0.2\n[simulation]",
+        "invalid-job",
+        "stock.form",
+        &["cleared again", "\"solid\""],
+    ),
+    (
+        "[simulation]",
+        "[milling.roughing]\nallowance = 0.3\nstep_down = 2\nstep_over = 2\n[stock]\nform = \"solid\"\nallowance = 0.2\n[simulation]",
+        "invalid-job",
+        "stock.allowance",
+        &["0.2", "pre-cut"],
+    ),
+    (
+        "spindle_rpm = 8000.0",
+        "spindle_rpm = 8000.0\nlead_in = { radius = 0 }",
+        "invalid-number",
+        "milling.lead_in.radius",
+        &["> 0"],
+    ),
+    (
+        "spindle_rpm = 8000.0",
+        "spindle_rpm = 8000.0\nlead_in = { radius = 1.0, angle_deg = 91.0 }",
+        "invalid-number",
+        "milling.lead_in.angle_deg",
+        &["91", "<= 90"],
+    ),
+    (
+        "spindle_rpm = 8000.0",
+        "spindle_rpm = 8000.0\nlead_out = { radius = 1.0, straight = -1.0 }",
+        "invalid-number",
+        "milling.lead_out.straight",
+        &["-1", ">= 0"],
+    ),
+    (
+        "spindle_rpm = 8000.0",
+        "spindle_rpm = 8000.0\napproach_radius = 0.5\nlead_out = { radius = 1.0 }",
+        "invalid-job",
+        "milling.approach_radius",
+        &["0.5", "lead_out"],
+    ),
     ("tool_length = 120.0\n", "", "missing-key", "machine.tool_length", &["spindle nose"]),
     (
         "tool_length = 120.0\n",
@@ -404,6 +629,146 @@ const GEAR_CASES: &[Case] = &[
         "invalid-number",
         "machine.mount.offset[1]",
         &["inf"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nmount = { clocking_deg = 361.0 }",
+        "invalid-number",
+        "machine.mount.clocking_deg",
+        &["361", "<= 360", "clocking program"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\ntool_length_in = \"spindle\"",
+        "unknown-value",
+        "machine.tool_length_in",
+        &["spindle", "\"program\", \"control\""],
+    ),
+    (
+        "programs = [\"linuxcnc\", \"siemens\", \"fanuc\"]\n",
+        "programs = [\"siemens\"]\n[machine.work_offset]\nnumber = 1\nc = 3.0\n",
+        "unknown-key",
+        "machine.work_offset.c",
+        &["number"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nwork_offset = { number = 0 }",
+        "invalid-number",
+        "machine.work_offset.number",
+        &["0", ">= 1", "G54"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nwork_offset = { number = 307 }",
+        "invalid-number",
+        "machine.work_offset.number",
+        &["307", "<= 306"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nwork_offset = { number = 1, position = [0.0, 0.0] }",
+        "invalid-list",
+        "machine.work_offset.position",
+        &["3 to 3"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nwork_offset = { number = 1, position = [0.0, 0.0, 20000.0] }",
+        "invalid-number",
+        "machine.work_offset.position[2]",
+        &["20000", "<= 10000"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nmount = { offset = [1.0, 0.0] }\nwork_offset = { number = 1, clocking = true }",
+        "invalid-job",
+        "machine.work_offset.clocking",
+        &["machine.mount.offset = [0, 0]"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nend_position = [{ axis = \"Z\" }]",
+        "missing-key",
+        "machine.end_position[0].position",
+        &["number"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nend_position = [{ axis = \"Z\", position = 200000.0 }]",
+        "invalid-number",
+        "machine.end_position[0].position",
+        &["200000", "100000"],
+    ),
+    (
+        "tool_length = 120.0",
+        "tool_length = 120.0\nspindle_dwell_s = -1.0",
+        "invalid-number",
+        "machine.spindle_dwell_s",
+        &["-1", ">= 0"],
+    ),
+    (
+        "cutting_length = 22.0",
+        "cutting_length = 22.0\ntool_length = 0",
+        "invalid-number",
+        "cutter.tool_length",
+        &["> 0", "spindle nose"],
+    ),
+    (
+        "cutting_length = 22.0",
+        "cutting_length = 22.0\nlength_offset = 1000",
+        "invalid-number",
+        "cutter.length_offset",
+        &["1000", "<= 999"],
+    ),
+    (
+        "cutting_length = 22.0",
+        "cutting_length = 22.0\nspindle_rpm = 0",
+        "invalid-number",
+        "cutter.spindle_rpm",
+        &["> 0"],
+    ),
+    (
+        "cutting_length = 22.0",
+        "cutting_length = 22.0\nfeed_mm_per_min = inf",
+        "invalid-number",
+        "cutter.feed_mm_per_min",
+        &["inf"],
+    ),
+    (
+        "cutting_length = 22.0",
+        "cutting_length = 22.0\nplunge_feed_mm_per_min = -5",
+        "invalid-number",
+        "cutter.plunge_feed_mm_per_min",
+        &["-5", "> 0"],
+    ),
+    (
+        "cutting_length = 22.0",
+        "cutting_length = 22.0\ncoolant = \"oil\"",
+        "unknown-value",
+        "cutter.coolant",
+        &["oil", "\"flood\""],
+    ),
+    (
+        "spindle_rpm = 8000.0",
+        "spindle_rpm = 8000.0\ncoolant = \"air\"",
+        "unknown-value",
+        "milling.coolant",
+        &["air", "\"flood-and-mist\""],
+    ),
+    (
+        "[milling]",
+        "[bottom_cutter]\nshape = \"end-mill\"\ndiameter = 5.0\ncutting_length = 15.0\nlength_offset = 1\n[milling]",
+        "invalid-job",
+        "bottom_cutter.length_offset",
+        &["1", "another number"],
+    ),
+    (
+        "[simulation]",
+        "[milling.roughing]\nallowance = 0.3\nstep_down = 2\nstep_over = 2\nfeed_mm_per_min = 900.0\n[roughing_cutter]\nshape = \"end-mill\"\ndiameter = 5.0\ncutting_length = 15.0\nfeed_mm_per_min = 800.0\n[simulation]",
+        "invalid-job",
+        "roughing_cutter.feed_mm_per_min",
+        &["800", "at most one"],
     ),
     ("\"fanuc\"]", "\"heidenhain\"]", "unknown-value", "output.programs[2]", &["\"linuxcnc\""]),
     (
@@ -451,6 +816,35 @@ const LIMIT_CASES: &[Case] = &[
 ];
 
 const BEVEL_CASES: &[Case] = &[
+    (
+        "[cutter]",
+        "[measuring_grid]\nrows = 2\n[cutter]",
+        "invalid-number",
+        "measuring_grid.rows",
+        &["2", "3"],
+    ),
+    (
+        "[cutter]",
+        "[measuring_grid]\ncolumns = 102\n[cutter]",
+        "invalid-number",
+        "measuring_grid.columns",
+        &["102", "101"],
+    ),
+    (
+        "[cutter]",
+        "[measuring_grid]\nprofile_margin = 0.5\n[cutter]",
+        "invalid-number",
+        "measuring_grid.profile_margin",
+        &["0.5", "0.4"],
+    ),
+    (
+        "[cutter]",
+        "[measuring_grid]\nlength_margin = -0.1\n[cutter]",
+        "invalid-number",
+        "measuring_grid.length_margin",
+        &["-0.1", "0"],
+    ),
+    ("tolerance_class = 7", "tolerance_class = 12", "invalid-number", "bevel.tolerance_class", &["12", "11"]),
     ("teeth = 15", "teeth = 0", "invalid-number", "bevel.teeth", &[">= 3"]),
     (
         "pitch_cone_angle_deg = 23.1986",
@@ -483,8 +877,67 @@ const BEVEL_CASES: &[Case] = &[
         "bevel.face_width",
         &["25", "apex"],
     ),
-    ("tolerance_um = 10.0", "modifications = []", "invalid-job", "target.modifications", &["ease_off"]),
+    ("cutter_radius = 63.0, ", "", "missing-key", "bevel.spiral.cutter_radius", &["cutter head"]),
+    (
+        "cutter_radius = 63.0",
+        "line = \"skew\", cutter_radius = 63.0",
+        "invalid-job",
+        "bevel.spiral.cutter_radius",
+        &["\"skew\""],
+    ),
+    (
+        "cutter_radius = 63.0",
+        "blade_groups = 5, cutter_radius = 63.0",
+        "invalid-job",
+        "bevel.spiral.blade_groups",
+        &["epicycloid"],
+    ),
+    (
+        "cutter_radius = 63.0",
+        "line = \"epicycloid\", cutter_radius = 63.0",
+        "missing-key",
+        "bevel.spiral.blade_groups",
+        &["blade groups"],
+    ),
+    (
+        "cutter_radius = 63.0",
+        "line = \"epicycloid\", blade_groups = 0, cutter_radius = 63.0",
+        "invalid-number",
+        "bevel.spiral.blade_groups",
+        &[">= 1"],
+    ),
+    (
+        "cutter_radius = 63.0",
+        "line = \"spiral\"",
+        "unknown-value",
+        "bevel.spiral.line",
+        &["\"circle\", \"epicycloid\""],
+    ),
     ("rows = 14", "rows = 14\nlead_through_row = 2", "invalid-job", "milling.lead_through_row", &["[gear]"]),
+];
+
+const GRID_CASES: &[Case] = &[
+    ("teeth = 41", "teeth = 2", "invalid-number", "grid_gear.teeth", &[">= 3"]),
+    ("rows = 7", "rows = 3", "invalid-number", "grid_gear.left.rows", &[">= 4"]),
+    ("columns = 13 } # rows", "columns = 2 } # rows", "invalid-number", "grid_gear.right.columns", &[">= 4"]),
+    ("radii = [66.58, 92.81]", "radii = [0, 92.81]", "invalid-number", "grid_gear.root.radii[0]", &["radii"]),
+    (
+        "positions = [26.39, 36.20]",
+        "positions = [26.39, 26.39]",
+        "invalid-geometry",
+        "grid_gear.root.positions[1]",
+        &["flatter", "85"],
+    ),
+    (
+        "positions = [20.50, 28.52]",
+        "positions = [26.50, 38.52]",
+        "invalid-geometry",
+        "grid_gear.tip.radii[1]",
+        &["95.68", "outside of the root body"],
+    ),
+    ("left = {", "# left = {", "missing-key", "grid_gear.left", &[]),
+    ("tolerance_um = 10.0", "modifications = []", "invalid-job", "target.modifications", &["[bevel]"]),
+    ("[target]", "[mate]\nteeth = 20\n[target]", "invalid-job", "mate", &["[bevel]"]),
 ];
 
 const MATE_CASES: &[Case] = &[
@@ -514,9 +967,107 @@ const MATE_CASES: &[Case] = &[
     ),
     ("marking_um = 6.0", "marking_um = 0", "invalid-number", "mate.marking_um", &["> 0"]),
     ("roll_positions = 24", "roll_positions = 4", "invalid-number", "mate.roll_positions", &[">= 8"]),
+    ("teeth = 35\n", "# teeth\n", "missing-key", "mate.teeth", &["number of teeth"]),
+    (
+        "teeth = 35",
+        "teeth = 35\ncentre_distance = 100.0",
+        "invalid-job",
+        "mate.centre_distance",
+        &["bevel gear"],
+    ),
+    (
+        "kind = \"profile_crowning\", amount_um = 6.0",
+        "kind = \"profile_crowning\", amount_um = inf",
+        "invalid-number",
+        "mate.modifications[0].amount_um",
+        &["inf"],
+    ),
+];
+
+const CYLINDRICAL_MATE_CASES: &[Case] = &[
+    (
+        "centre_distance = 201.2",
+        "# centre_distance = 201.2",
+        "missing-key",
+        "mate.centre_distance",
+        &["centre distance"],
+    ),
+    ("centre_distance = 201.2", "centre_distance = -1", "invalid-number", "mate.centre_distance", &["> 0"]),
+    (
+        "centre_distance = 201.2",
+        "centre_distance = 201.2\nteeth = 30",
+        "invalid-job",
+        "mate.teeth",
+        &["cylindrical gear"],
+    ),
+    (
+        "centre_distance = 201.2",
+        "centre_distance = 201.2\nease_off = { profile_um = 2 }",
+        "invalid-job",
+        "mate.ease_off",
+        &["cylindrical gear"],
+    ),
+    (
+        "teeth = 30, normal_module = 8.0, normal_pressure_angle_deg = 20.0, helix_angle_deg = 0.0",
+        "teeth = 30, normal_module = 8.0, normal_pressure_angle_deg = 20.0, helix_angle_deg = 12.0",
+        "invalid-job",
+        "mate.gear.helix_angle_deg",
+        &["12", "helix"],
+    ),
+    (
+        "teeth = 30, normal_module = 8.0",
+        "teeth = 30, normal_module = 7.5",
+        "invalid-job",
+        "mate.gear.normal_module",
+        &["8"],
+    ),
+    ("tip_diameter = 256.0", "tip_diameter = 210.0", "invalid-geometry", "mate.gear.tip_diameter", &["210"]),
+];
+
+/// A blade of four-digit sections in place of the ruled one.
+fn naca_blade() -> String {
+    let text = ruled();
+    let lines = text.lines().filter(|line| !line.starts_with("ruled") && !line.starts_with("thickness"));
+    let lines = lines.map(|line| match line.starts_with("active_height") {
+        true => format!("{line}\n{NACA}\n"),
+        false => line.to_owned() + "\n",
+    });
+    lines.collect()
+}
+
+const NACA: &str = "naca = { sections = [\"4412\", \"4408\"], chord = [50.0, 45.0], stagger_deg = [25.0, 40.0], tip_radius = 90.0, side = \"upper\" }";
+
+const NACA_CASES: &[Case] = &[
+    ("\"4412\"", "\"4012\"", "unknown-value", "blade.naca.sections[0]", &["4012", "four digits"]),
+    ("\"4408\"", "\"44a8\"", "unknown-value", "blade.naca.sections[1]", &["44a8", "\"0012\""]),
+    ("[50.0, 45.0]", "[50.0, 0]", "invalid-number", "blade.naca.chord[1]", &["chords"]),
+    ("[25.0, 40.0]", "[25.0, 81.0]", "invalid-number", "blade.naca.stagger_deg[1]", &["81", "<= 80"]),
+    ("tip_radius = 90.0", "tip_radius = 50.0", "invalid-geometry", "blade.naca.tip_radius", &["50", "> 55"]),
+    (
+        "side = \"upper\"",
+        "side = \"left\"",
+        "unknown-value",
+        "blade.naca.side",
+        &["left", "\"upper\", \"lower\""],
+    ),
+    (
+        "side = \"upper\"",
+        "side = \"upper\", edge = 0.4",
+        "invalid-number",
+        "blade.naca.edge",
+        &["0.4", "<= 0.3"],
+    ),
+    ("count = 9", "count = 9\nthickness = [4.0, 2.0]", "invalid-job", "blade.thickness", &["[4, 2]", "naca"]),
 ];
 
 const BLADE_CASES: &[Case] = &[
+    (
+        "[cutter]",
+        "[compensation]\nmodifications = []\n[cutter]",
+        "invalid-job",
+        "compensation",
+        &["[gear]", "[bevel]"],
+    ),
     ("count = 9", "count = 0", "invalid-number", "blade.count", &[">= 1"]),
     (
         "hub_radius = [40.0, 55.0]",
@@ -533,13 +1084,13 @@ const BLADE_CASES: &[Case] = &[
         "blade.active_height",
         &["[1, 0.05]"],
     ),
-    ("ruled = {", "# ruled = {", "missing-key", "blade.ruled", &["ruled, points"]),
+    ("ruled = {", "# ruled = {", "missing-key", "blade.ruled", &["ruled, points, naca"]),
     (
         "ruled = {",
         "points = { file = \"b.csv\", rows = 9, columns = 9, side = \"left\" }\nruled = {",
         "invalid-job",
         "blade.points",
-        &["exactly one of ruled, points"],
+        &["exactly one of ruled, points, naca"],
     ),
     (
         "ruled = {",

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use foundation::geometry::{self, BevelData, Spiral};
+use foundation::geometry::{self, BevelData, LineForm, Spiral};
 use job::tables::Hand;
 
 /// Drawing data of a bevel gear whose cones have one apex. Lengths in mm.
@@ -40,7 +40,7 @@ pub struct BevelGear {
     /// The profile.
     #[serde(default)]
     pub flank: BevelFlank,
-    /// Curved teeth; without it the teeth are straight.
+    /// Curved and skew teeth; without it the teeth are straight and point to the apex.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spiral: Option<BevelSpiral>,
     /// Angle between the axis and the ray from the apex on which the active flank begins, degrees; default 0.12 of the way from root
@@ -49,6 +49,10 @@ pub struct BevelGear {
     #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 180,
         "x-way-out" = "give an angle between root cone and tip cone in degrees, or leave it out"))]
     pub start_polar_angle_deg: Option<f64>,
+    /// Class of ISO 17485:2006 that its pitches and its run-out have to reach: `inspect` judges a measured gear by it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = 2, "maximum" = 11, "x-way-out" = "give a class from 2 to 11, or leave it out"))]
+    pub tolerance_class: Option<i32>,
 }
 
 /// Profile of a bevel tooth.
@@ -62,29 +66,73 @@ pub enum BevelFlank {
     Octoid,
 }
 
-/// Teeth whose flank line on the developed pitch cone is a circle.
+/// Teeth that are not straight, by their flank line on the developed pitch cone.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BevelSpiral {
+    /// What the line is.
+    #[serde(default)]
+    pub line: SpiralLine,
     /// Spiral angle in the middle of the face, degrees.
     #[schemars(extend("minimum" = 0, "maximum" = 70,
         "x-way-out" = "give the mean spiral angle in degrees; its hand stands in `hand`"))]
     pub mean_spiral_angle_deg: f64,
-    /// Radius of the circle, that of the face-milling cutter which the flank line comes from, mm.
+    /// Radius of the cutter head which a circle or an epicycloid comes from, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 5000, "x-way-out" = "give the radius of the cutter in mm"))]
-    pub cutter_radius: f64,
+    pub cutter_radius: Option<f64>,
+    /// Groups of blades on the head of an epicycloid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = 1, "maximum" = 100, "x-way-out" = "give the number of blade groups of the cutter head, e.g. 5"))]
+    pub blade_groups: Option<u32>,
     /// Hand of the spiral.
     pub hand: Hand,
+}
+
+/// A flank line on the developed pitch cone.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum SpiralLine {
+    /// Face milling, one space after the other.
+    #[default]
+    Circle,
+    /// Face hobbing with a continuously turning gear.
+    Epicycloid,
+    /// Skew teeth: a straight line beside the apex.
+    Skew,
+    /// Palloid teeth: an involute.
+    Involute,
+}
+
+impl SpiralLine {
+    /// Whether it comes from a cutter head.
+    pub fn of_head(self) -> bool {
+        matches!(self, Self::Circle | Self::Epicycloid)
+    }
+}
+
+impl BevelSpiral {
+    /// As geometry takes it. Of a checked job the line has what it needs.
+    fn data(&self) -> Spiral {
+        let radius = self.cutter_radius.unwrap_or_default();
+        Spiral {
+            mean_angle: self.mean_spiral_angle_deg.to_radians(),
+            form: match self.line {
+                SpiralLine::Circle => LineForm::Circle { radius },
+                SpiralLine::Epicycloid => {
+                    LineForm::Epicycloid { radius, groups: f64::from(self.blade_groups.unwrap_or_default()) }
+                }
+                SpiralLine::Skew => LineForm::Straight,
+                SpiralLine::Involute => LineForm::Involute,
+            },
+            hand: if self.hand.sign() > 0.0 { geometry::Hand::Right } else { geometry::Hand::Left },
+        }
+    }
 }
 
 impl BevelGear {
     /// The drawing as geometry takes it: rad.
     pub fn data(&self) -> BevelData {
-        let spiral = |spiral: &BevelSpiral| Spiral {
-            mean_angle: spiral.mean_spiral_angle_deg.to_radians(),
-            cutter_radius: spiral.cutter_radius,
-            hand: if spiral.hand.sign() > 0.0 { geometry::Hand::Right } else { geometry::Hand::Left },
-        };
         BevelData {
             outer_transverse_module: self.outer_transverse_module,
             teeth: self.teeth,
@@ -93,7 +141,7 @@ impl BevelGear {
             face_width: self.face_width,
             addendum_factor: self.addendum_factor,
             dedendum_factor: self.dedendum_factor,
-            spiral: self.spiral.as_ref().map(spiral),
+            spiral: self.spiral.as_ref().map(BevelSpiral::data),
             form_angle: self.start_polar_angle_deg.map(f64::to_radians),
         }
     }

@@ -3,10 +3,11 @@
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
 
+use super::naca::NacaBlade;
 use super::pair_schema;
 use foundation::geometry::Flank;
 
-/// Blades on a hub about +z: exactly one of `ruled` and `points`. Lengths in mm.
+/// Blades on a hub about +z: exactly one of `ruled`, `points` and `naca`. Lengths in mm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Blade {
@@ -31,6 +32,9 @@ pub struct Blade {
     /// A surface through points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub points: Option<BladePoints>,
+    /// Sections by four digits.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub naca: Option<NacaBlade>,
 }
 
 /// Lines from the hub's curve, azimuth th = th_0 + (th_1 - th_0) u^2 at the share u of the length, to the curve at the tip, which
@@ -102,7 +106,8 @@ impl BladeSide {
 impl Blade {
     /// The side that is milled; `None` only for a table that was built in code without a surface.
     pub fn side(&self) -> Option<BladeSide> {
-        self.ruled.map(|ruled| ruled.side).or(self.points.as_ref().map(|points| points.side))
+        let drawn = self.ruled.map(|ruled| ruled.side).or(self.points.as_ref().map(|points| points.side));
+        drawn.or(self.naca.as_ref().map(|naca| naca.side.side()))
     }
 }
 

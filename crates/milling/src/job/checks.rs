@@ -6,6 +6,7 @@ mod contact;
 mod cutters;
 mod grid;
 mod mate;
+mod shop;
 
 use super::MillingJob;
 use job::checks::{clamping_bodies, contradiction, name};
@@ -20,6 +21,7 @@ pub(crate) fn check(job: &MillingJob) -> Vec<Diagnostic> {
     grid::check(job, &mut findings);
     contact::check(job, &mut findings);
     mate::check(job, &mut findings);
+    shop::check(job, &mut findings);
     clamping_bodies(job.machine.as_ref().map_or(&[], |machine| &machine.clamping), &mut findings);
     rays(job, &mut findings);
     if !job.output.programs.is_empty() && job.machine.is_none() {

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::coolant::CutterCoolant;
 use foundation::geometry::{Cutter, CutterShape, GeometryError, ShankStep};
 
 /// A mill. Heights count from its tip. Lengths in mm.
@@ -45,6 +46,29 @@ pub struct MillingCutter {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 1, "maximum" = 100, "x-way-out" = "give the number of cutting edges"))]
     pub teeth: Option<u32>,
+    /// From the nose of the spindle to its tip; default that of `[machine]`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2000, "x-way-out" = "give the distance from spindle nose to cutter tip in mm, or leave it out"))]
+    pub tool_length: Option<f64>,
+    /// Number of the tool's length on the control: H of LinuxCNC and Fanuc, D of Siemens; default the number of the tool, on Siemens 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = 1, "maximum" = 999, "x-way-out" = "give the number behind H or D, or leave it out"))]
+    pub length_offset: Option<u32>,
+    /// Speed of the spindle with it, 1/min; default that of `[milling]`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200_000, "x-way-out" = "give the speed in 1/min, e.g. 8000, or leave it out"))]
+    pub spindle_rpm: Option<f64>,
+    /// Speed of its contact along a path, mm/min; default that of `[milling]`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1e5, "x-way-out" = "give the feed in mm/min, e.g. 1200, or leave it out"))]
+    pub feed_mm_per_min: Option<f64>,
+    /// Its speed towards a path, mm/min; default that of `[milling]`, and without it its feed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1e5, "x-way-out" = "give the feed in mm/min, or leave it out"))]
+    pub plunge_feed_mm_per_min: Option<f64>,
+    /// Coolant while it cuts; default that of `[milling]`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coolant: Option<CutterCoolant>,
 }
 
 /// Shape of a mill.

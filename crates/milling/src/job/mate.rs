@@ -1,19 +1,23 @@
-//! `[mate]`: the gear that a bevel gear is rolled against (`docs/mathematics/milling.md#flanks-as-patches`).
+//! `[mate]`: the gear that the workpiece is rolled against (`docs/mathematics/milling.md#contact-with-the-mate`).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{BevelGear, EaseOffAmounts};
 use foundation::geometry::{BevelData, Hand, Spiral};
+use job::tables::{Gear, Modification};
 
-/// The conjugate mate of `[bevel]`: module, face, proportions and flank line are those of the gear, its hand is the opposite one. The
-/// shaft angle is by default 90 degrees; at most one of `shaft_angle_deg` and `pitch_cone_angle_deg` says otherwise.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// The mate of a gear. That of `[bevel]` is conjugate, by `teeth`: module, face, proportions and flank line are those of the gear, its
+/// hand is the opposite one; the shaft angle is by default 90 degrees, and at most one of `shaft_angle_deg` and `pitch_cone_angle_deg`
+/// says otherwise. That of `[gear]` has a drawing of its own, `gear`, and stands at `centre_distance` on a parallel axis, both faces
+/// about the same middle.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mate {
-    /// Number of teeth.
+    /// Number of teeth of the mate of a bevel gear.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 3, "maximum" = 2000, "x-way-out" = "give the number of teeth of the mating gear"))]
-    pub teeth: u32,
+    pub teeth: Option<u32>,
     /// Angle of its pitch cone, degrees.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 90,
@@ -24,9 +28,20 @@ pub struct Mate {
     #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 180,
         "x-way-out" = "give the angle between both axes in degrees; 90 is the default"))]
     pub shaft_angle_deg: Option<f64>,
-    /// Its ease-off, over its own height and length.
-    #[serde(default)]
-    pub ease_off: EaseOffAmounts,
+    /// Ease-off of the mate of a bevel gear, over its own height and length.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ease_off: Option<EaseOffAmounts>,
+    /// Drawing of the mate of a cylindrical gear: of an external one with the opposite helix angle; one of both may be internal, the helix
+    /// angles then are the same.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gear: Option<Gear>,
+    /// Centre distance of a cylindrical pair, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 10_000, "x-way-out" = "give the centre distance in mm"))]
+    pub centre_distance: Option<f64>,
+    /// Modifications of its flanks that add up, as those of `[target]`, over its own flank.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub modifications: Option<Vec<Modification>>,
     /// Thickness of the marking compound: contact shows where the gap is not wider, um.
     #[serde(default = "default_marking")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 100, "x-way-out" = "give the thickness in micrometres; 6 is the default"))]
@@ -49,10 +64,11 @@ pub(super) struct MisfitAngle {
 }
 
 impl Mate {
-    /// The pitch cone angle with which both gears roll on one pitch line, degrees; `None` if there is none below 90.
+    /// The pitch cone angle with which both gears roll on one pitch line, degrees; `None` if there is none below 90
+    /// or no number of teeth.
     pub fn conjugate_angle_deg(&self, bevel: &BevelGear) -> Option<f64> {
         let sine =
-            f64::from(self.teeth) / f64::from(bevel.teeth) * bevel.pitch_cone_angle_deg.to_radians().sin();
+            f64::from(self.teeth?) / f64::from(bevel.teeth) * bevel.pitch_cone_angle_deg.to_radians().sin();
         (sine < 1.0).then(|| sine.asin().to_degrees())
     }
 
@@ -64,7 +80,7 @@ impl Mate {
             ..spiral
         };
         Some(BevelData {
-            teeth: self.teeth,
+            teeth: self.teeth?,
             pitch_angle: self.conjugate_angle_deg(bevel)?.to_radians(),
             spiral: gear.spiral.map(opposite),
             form_angle: None,

@@ -4,7 +4,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::contact_height::ContactHeight;
+use super::coolant::CutterCoolant;
 use super::density::{Density, GridChoice};
+use super::lead::Lead;
 use super::root::MilledRoot;
 use super::roughing::Roughing;
 use job::tables::Flanks;
@@ -43,6 +45,11 @@ pub struct Milling {
     #[serde(default)]
     #[schemars(extend("exclusiveMinimum" = -90, "exclusiveMaximum" = 90, "x-way-out" = "give the lean in degrees, or leave it out"))]
     pub tilt_deg: f64,
+    /// Lean in the last row, at the tip, where rows lean differently: from `tilt_deg` in the first one linear in the row's number. It
+    /// spreads the wear over the edge of a ball, a barrel or a rounded corner.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = -90, "exclusiveMaximum" = 90, "x-way-out" = "give the lean in degrees, or leave it out"))]
+    pub tilt_at_tip_deg: Option<f64>,
     /// Turn of the axis about the flank's normal, degrees; with it the axis leaves the column plane.
     #[serde(default)]
     #[schemars(extend("exclusiveMinimum" = -90, "exclusiveMaximum" = 90, "x-way-out" = "give the angle in degrees, or leave it out"))]
@@ -78,10 +85,16 @@ pub struct Milling {
     /// Which row comes first.
     #[serde(default)]
     pub order: RowSequence,
-    /// Radius of the quarter circle on which the cutter comes to and leaves a row; default it comes in over the overrun.
+    /// Radius of a quarter circle on which the cutter comes to and leaves a row, in place of both `lead_in` and `lead_out`; default it comes in over the overrun.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000, "x-way-out" = "give the radius in mm, or leave it out"))]
     pub approach_radius: Option<f64>,
+    /// How the cutter comes to a row, behind the overrun; default over the overrun alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lead_in: Option<Lead>,
+    /// How the cutter leaves a row, behind the overrun; default over the overrun alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lead_out: Option<Lead>,
     /// Spaces that are milled.
     #[serde(default)]
     pub teeth: Spaces,
@@ -95,6 +108,9 @@ pub struct Milling {
     /// Speed of the spindle, 1/min.
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200_000, "x-way-out" = "give the speed in 1/min, e.g. 8000"))]
     pub spindle_rpm: f64,
+    /// Coolant of cutters that say nothing else.
+    #[serde(default)]
+    pub coolant: CutterCoolant,
     /// The root of the space; without it nothing is milled below the active flank.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub root: Option<MilledRoot>,
@@ -104,6 +120,16 @@ pub struct Milling {
 }
 
 impl Milling {
+    /// Whether the axis leans in any row.
+    pub fn leans(&self) -> bool {
+        self.tilts_deg().into_iter().any(|tilt| tilt != 0.0)
+    }
+
+    /// Leans of the first and of the last row, degrees.
+    pub fn tilts_deg(&self) -> [f64; 2] {
+        [self.tilt_deg, self.tilt_at_tip_deg.unwrap_or(self.tilt_deg)]
+    }
+
     /// How many rows and columns there are. A checked job has both numbers or none.
     pub fn grid(&self) -> GridChoice {
         match (self.rows, self.columns) {
@@ -114,11 +140,6 @@ impl Milling {
                 chord_um: self.chord_um,
             },
         }
-    }
-
-    /// Speed towards the row, mm/min.
-    pub fn plunge_feed(&self) -> f64 {
-        self.plunge_feed_mm_per_min.unwrap_or(self.feed_mm_per_min)
     }
 }
 

@@ -14,10 +14,11 @@ pub struct MillingTarget {
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 1000,
         "x-way-out" = "give the tolerance in micrometres, e.g. 5.0"))]
     pub tolerance_um: f64,
-    /// Modifications of a cylindrical gear that add up; amounts are transverse, positive = material removed.
+    /// Modifications of a gear or bevel gear that add up; amounts are transverse, positive = material removed. Of a bevel gear lengths of
+    /// roll are those in the middle of the face, and positions count from there along the pitch cone, the heel at the upper end.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub modifications: Option<Vec<Modification>>,
-    /// Ease-off of a bevel gear.
+    /// Ease-off of a bevel gear, beside its modifications.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ease_off: Option<EaseOffAmounts>,
 }

@@ -25,7 +25,10 @@ pub(super) fn with_body(table: &str) -> String {
 /// Blades by lines.
 pub(super) fn ruled() -> String {
     let text = with_body("blade");
-    text.lines().filter(|line| !line.starts_with("points")).map(|line| line.to_owned() + "\n").collect()
+    text.lines()
+        .filter(|line| !line.starts_with("points") && !line.starts_with("naca"))
+        .map(|line| line.to_owned() + "\n")
+        .collect()
 }
 
 pub(super) fn read(text: &str) -> Result<MillingJob, JobError> {
@@ -49,7 +52,7 @@ fn the_template_is_the_spur_gear_that_it_describes() {
         job.milling.root.map(|root| (root.depth(), root.bottom_pass)),
         Some((RootBottom::Height(0.0), true))
     );
-    assert_eq!(job.milling.plunge_feed(), 1200.0);
+    assert_eq!((job.milling.plunge_feed_mm_per_min, job.milling.feed_mm_per_min), (None, 1200.0));
     let body = job.cutter.body().unwrap();
     assert_eq!(*body.shape(), CutterShape::end_mill(3.0, 1.5));
     for purpose in [CutterUse::Finishing, CutterUse::Bottom, CutterUse::Roughing] {
@@ -106,6 +109,9 @@ fn what_is_behind_a_mark_is_valid_as_well() {
             "density" | "scallop_um" | "chord_um" => {
                 changed.replace("\nrows = 14", "\n").replace("\ncolumns = 21", "\n")
             }
+            "probe" => changed
+                .replace("# work_offset = {", "work_offset = {")
+                .replace("clocking = false }", "clocking = true }"),
             "straight" => changed.replace("\nbottom = 0.0", "\n"),
             _ => changed,
         };
@@ -126,7 +132,10 @@ fn what_is_behind_a_mark_is_valid_as_well() {
         assert_eq!(own, if table.contains("bottom") { [2, 1] } else { [1, 3] });
     }
     for key in ["modifications", "normal_tooth_thickness", "span", "over_balls", "evaluation"] {
-        let line = text.lines().find(|line| line.starts_with(&format!("# {key} = "))).unwrap();
+        let line = text
+            .lines()
+            .find(|line| line.starts_with(&format!("# {key} = ")) && !line.contains("over its own flank"))
+            .unwrap();
         let removed =
             if ["modifications", "evaluation"].contains(&key) { "\nnone" } else { "\nprofile_shift = 0.0" };
         sound(&text.replacen(line, &line[2..], 1).replace(removed, "\n"));
@@ -153,9 +162,14 @@ fn bevels_and_blades_are_read() {
     let right = sound(&ruled().replace("side = \"left\"", "side = \"right\""));
     assert_eq!(right.flanks(), [Flank::Right]);
     let points = with_body("blade");
-    let points: String =
-        points.lines().filter(|line| !line.starts_with("ruled")).map(|line| line.to_owned() + "\n").collect();
-    let job = sound(&points);
+    let without = |keys: [&str; 2]| -> String {
+        let lines = points.lines().filter(|line| !keys.iter().any(|key| line.starts_with(key)));
+        lines.map(|line| line.to_owned() + "\n").collect()
+    };
+    let naca = without(["ruled", "points"]).replace("thickness = [4.0, 2.0]", "");
+    assert_eq!(sound(&naca).flanks(), [Flank::Right]);
+    assert_eq!(sound(&naca.replace("\"upper\"", "\"lower\"")).flanks(), [Flank::Left]);
+    let job = sound(&without(["ruled", "naca"]));
     assert_eq!(
         job.blade.and_then(|blade| blade.points).map(|points| (points.rows, points.columns)),
         Some((9, 9))

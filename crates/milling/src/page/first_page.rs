@@ -63,10 +63,10 @@ fn settings(outcome: &MillingOutcome) -> Sheet {
     let mut list = vec![
         Quantity::count("tooth spaces", "", count(spaces)),
         Quantity::count("of these milled", "", count(milled)),
-        Quantity::rounded("spindle speed", "n", technology.spindle_rpm, 0, "1/min"),
-        Quantity::rounded("feed", "v_f", technology.feed, 0, "mm/min"),
-        Quantity::rounded("roughing feed", "v_f", technology.roughing_feed, 0, "mm/min"),
-        Quantity::rounded("plunge feed", "v_f", technology.plunge_feed, 0, "mm/min"),
+        Quantity::rounded("spindle speed", "n", technology.finishing.spindle_rpm, 0, "1/min"),
+        Quantity::rounded("feed", "v_f", technology.finishing.feed, 0, "mm/min"),
+        Quantity::rounded("roughing feed", "v_f", technology.roughing.feed, 0, "mm/min"),
+        Quantity::rounded("plunge feed", "v_f", technology.finishing.plunge_feed, 0, "mm/min"),
     ];
     if let Some(tilt) = outcome.result.programs.iter().find_map(|program| program.mount_tilt) {
         list.push(Quantity::rounded("tilt of the workpiece on the table", "", tilt.angle_deg, 3, "deg"));
@@ -76,17 +76,17 @@ fn settings(outcome: &MillingOutcome) -> Sheet {
 
 fn cutter(outcome: &MillingOutcome) -> Sheet {
     let cutter = &outcome.result.cutter;
-    let technology = &outcome.prepared.technology;
-    let speed = PI * cutter.diameter * technology.spindle_rpm * 1e-3;
+    let tool = &outcome.prepared.technology.finishing;
+    let speed = PI * cutter.diameter * tool.spindle_rpm * 1e-3;
     let mut list = vec![
         Quantity::text("cutter of the flanks", cutter_words(cutter)),
-        Quantity::count("tool number", "T", i64::from(technology.finishing.number)),
+        Quantity::count("tool number", "T", i64::from(tool.number)),
         Quantity::rounded("cutting length", "", cutter.cutting_length, 1, "mm"),
         Quantity::rounded("cutting speed at its diameter", "v_c", speed, 1, "m/min"),
     ];
-    if let Some(edges) = technology.finishing.edges {
+    if let Some(edges) = tool.edges {
         list.push(Quantity::count("cutting edges", "z", i64::from(edges)));
-        let per_tooth = technology.feed / (technology.spindle_rpm * f64::from(edges));
+        let per_tooth = tool.feed / (tool.spindle_rpm * f64::from(edges));
         list.push(Quantity::rounded("feed per tooth", "f_z", per_tooth, 4, "mm"));
     }
     Sheet::new("Cutter", list)

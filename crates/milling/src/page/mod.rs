@@ -2,6 +2,7 @@
 //! it, so that the same job gives the same bytes.
 
 mod banner;
+mod clocking;
 mod cutter_words;
 mod density;
 mod deviations;
@@ -16,6 +17,8 @@ mod root;
 mod rows;
 mod shown_flank;
 mod space;
+mod stock;
+mod tools;
 mod wear;
 
 use crate::workflow::MillingOutcome;
@@ -51,12 +54,15 @@ pub fn page(outcome: &MillingOutcome, files: &[(String, &'static str)]) -> Resul
         Section::new("density", "Density", density::blocks(&prepared.bodies.options.lines, &shown)),
         Section::new("root", "Root", root::blocks(outcome)?),
         Section::new("contact-with-the-mate", "Contact with the mate", mate::blocks(outcome.mate.as_ref())?),
+        Section::new("stock-before-finishing", "Stock before finishing", stock::blocks(result)),
+        Section::new("tools", "Tools", tools::blocks(result)),
         Section::new("operations", "Operations", vec![Block::Table(operations::table(outcome))]),
         Section::new(
             "orientation-of-the-cutter",
             "Orientation of the cutter",
             orientation::blocks(&outcome.orientations)?,
         ),
+        Section::new("clocking-of-the-workpiece", "Clocking of the workpiece", clocking::blocks(result)),
         Section::new("programs", "Programs", programs::blocks(outcome)?),
     ];
     let title = JobTitle::new(&prepared.info, prepared.output.language).on(prepared.machine.as_ref());

@@ -106,7 +106,7 @@ impl<'a> MillingCheck<'a> {
             work,
             moves: &moves,
             swept: &swept,
-            tool_length: mounting.tool_length,
+            tool_length: work.longest_tool(),
             tolerance: text_tolerance(prepared, mounting),
             clamping: Clamping::of_mounting(mounting),
         };

@@ -5,7 +5,7 @@ use job::Diagnostic;
 use run::{RunFailure, geometry_finding};
 
 /// A planning error: bad input where the job contradicts itself, else a limit of these bodies.
-pub(super) fn failure(error: &MillingError) -> RunFailure {
+pub fn failure(error: &MillingError) -> RunFailure {
     let (field, bad_input) = match error {
         MillingError::Geometry(error) => return RunFailure::bad_input(geometry_finding(error, "cutter")),
         MillingError::DensityInput { .. } => ("milling.density", true),
@@ -19,7 +19,7 @@ pub(super) fn failure(error: &MillingError) -> RunFailure {
         MillingError::RootCorner { .. }
         | MillingError::RootOverlap { .. }
         | MillingError::RootBottom { .. } => ("milling.root", false),
-        MillingError::Approach { .. } => ("milling.approach_radius", false),
+        MillingError::Approach { .. } => ("milling.lead_in", false),
         MillingError::ColumnKink { .. } => ("gear.double_helical", false),
         MillingError::ToolShort { .. } => ("cutter.cutting_length", false),
         MillingError::RoughingNowhere { .. } => ("milling.roughing", false),

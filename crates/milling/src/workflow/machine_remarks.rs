@@ -1,7 +1,7 @@
 //! What the axes of a machine do along the paths that is worth a sentence: which of two positions they take, where they are turned
 //! back, how they pass the pole (`docs/mathematics/milling.md#positions-of-five-axes`).
 
-use super::programs::{DrivenMotion, MillingPrograms};
+use super::programs::{DrivenMotion, MillingPrograms, StepKind};
 use foundation::numerics::extremes;
 use machine::{Machine, Station};
 use report::charts::{format_fixed, format_significant};
@@ -46,6 +46,7 @@ pub(super) fn remarks(machine: &Machine, programs: &MillingPrograms, motion: &Dr
             ));
         }
     }
+    remarks.extend(end_position(machine, motion));
     if let Some(tilt) = &programs.tilt {
         let [x, y, z] = tilt.axis.xyz.into();
         remarks.push(format!(
@@ -61,8 +62,21 @@ pub(super) fn remarks(machine: &Machine, programs: &MillingPrograms, motion: &Dr
     remarks
 }
 
+/// Where the axes stand at the end, if they go anywhere.
+fn end_position(machine: &Machine, motion: &DrivenMotion) -> Option<String> {
+    let last = motion.tools.last()?.steps.last().filter(|step| step.kind == StepKind::End)?;
+    let axes = machine.five_axes(Station::Work).ok()?;
+    let stands = axes.linear.into_iter().chain(axes.rotary).map(|axis| {
+        let described = &machine.axes()[axis];
+        let value = described.nc_sign * described.joint.shown(last.at[axis]);
+        format!("{} {} {}", described.name, format_fixed(value, 3), described.joint.unit())
+    });
+    let stands = stands.collect::<Vec<String>>().join(", ");
+    Some(format!("Where the axes stand at the end of the program, as the control counts them: {stands}."))
+}
+
 fn range(machine: &Machine, motion: &DrivenMotion, axis: usize) -> String {
-    let steps = motion.tools.iter().flat_map(|run| &run.steps);
+    let steps = motion.tools.iter().flat_map(|run| &run.steps).filter(|step| step.kind != StepKind::End);
     let [low, high] = extremes(steps.map(|step| step.at[axis].to_degrees()));
     format!("{} {} to {} deg", machine.axes()[axis].name, format_fixed(low, 2), format_fixed(high, 2))
 }

@@ -1,10 +1,10 @@
 //! Where the flank of a bevel gear has to begin for its mate: where the tip of the mate engages
-//! (`docs/mathematics/milling.md#flanks-as-patches`).
+//! (`docs/mathematics/milling.md#contact-with-the-mate`).
 //!
 //! On the sphere both gears touch on a great circle that touches both base cones, at the arc xi from the point of the own base cone and
 //! at the rest of xi_p1 + xi_p2 from that of the mate's. A point at xi has the polar angle theta with cos theta = cos delta_b cos xi.
 
-use super::result::MateStartResult;
+use super::mate_result::MateStartResult;
 use foundation::geometry::BevelGear;
 use verdict::Remark;
 
@@ -23,8 +23,10 @@ pub(super) fn start_of_flank(gear: &BevelGear, mate: &BevelGear) -> (MateStartRe
     let needed = needed_polar_angle(gear, mate);
     let active = gear.form_angle();
     let result = MateStartResult {
-        active_deg: active.to_degrees(),
+        active_deg: Some(active.to_degrees()),
         needed_deg: needed.map(f64::to_degrees),
+        active_diameter_mm: None,
+        needed_diameter_mm: None,
         covered: needed.is_some_and(|needed| active <= needed + SAME),
     };
     let remark = match needed {

@@ -4,12 +4,15 @@
 pub mod check;
 mod clamping;
 pub mod derived;
+mod engagement;
 mod finding;
 mod flank_result;
 mod judge;
 mod machine_remarks;
 mod mate;
 mod mate_flank;
+mod mate_result;
+mod mate_start;
 mod meshes;
 mod model;
 mod orientation;
@@ -26,9 +29,11 @@ mod result;
 mod root;
 pub mod run;
 pub mod scene;
+mod stock;
 mod summary;
 mod tables;
 mod texts;
+mod tool_result;
 mod wear;
 mod whole_part;
 pub mod whole_program;
@@ -37,20 +42,24 @@ pub mod write;
 
 pub use ::run::program_check::{PartProof, ProgramFault};
 pub use check::{MillingCheck, check_milling};
-pub use mate::{MateFlank, MateOutcome};
+pub use finding::failure as planning_failure;
+pub use mate::{MateFlank, MateOutcome, MilledContact};
 pub use mate_flank::needed_polar_angle;
+pub use mate_result::{MateFlankResult, MateResult, MateStartResult, PatternResult};
 pub use model::MillingModel;
 pub use orientation::{ComparedOrientations, OrientationCurve, RotaryCourse, rotary_course};
 pub use orientation_result::{OrientationFigures, OrientationResult, RotaryFigures};
 pub use prepare::{FlankRange, MillingBodies, PreparedMilling, prepare_milling};
 pub use program_result::{MountTilt, ProgramOperation, ProgramResult};
-pub use referee::{RefereedFlank, referee};
+pub use referee::{RefereedFlank, deviations_at, referee};
 pub use result::{
-    CutterResult, DistancesResult, FlankResult, MateFlankResult, MateResult, MateStartResult, MillingResult,
-    OperationResult, OutOfReachResult, PatternResult, RootDeviationResult, RootResult, RowResult, WearResult,
+    CutterResult, DistancesResult, EngagementResult, FlankResult, MillingResult, OperationResult,
+    OutOfReachResult, RootDeviationResult, RootResult, RowResult, WearResult,
 };
 pub use root::{RefereedRoot, referee_root};
 pub use run::{MillingOutcome, run_milling};
+pub use stock::{StandingStock, StockResult};
 pub use texts::MillingTexts;
+pub use tool_result::{ClockingResult, HeldAngle, LengthNumbers, ToolResult, WorkOffsetResult};
 pub(crate) use wear::histograms;
 pub use write::write_milling;

@@ -91,14 +91,16 @@ pub(super) fn orientations(
     let bodies = &prepared.bodies;
     let table;
     let (machine, mount, tool_length) = match (&prepared.mounting, &prepared.machine) {
-        (Some(mounting), Some(machine)) => (&machine.machine, mounting.mount, mounting.tool_length),
+        (Some(mounting), Some(machine)) => {
+            (&machine.machine, mounting.mount, prepared.technology.finishing.length)
+        }
         _ => {
             table = chain(Chain::AcTable, &Places::default()).map_err(|error| {
                 let finding = Diagnostic::new(Problem::InvalidMachine, error.to_string());
                 RunFailure::bad_input(finding.field("simulation.compare_orientation"))
             })?;
             // Bevel gears point their shank side down as they are described (`docs/mathematics/milling.md`).
-            let turned_over = bodies.kind == WorkpieceKind::Bevel;
+            let turned_over = matches!(bodies.kind, WorkpieceKind::Bevel | WorkpieceKind::Gridded);
             (&table, MillingMount { turned_over, ..MillingMount::default() }, 0.0)
         }
     };
@@ -117,10 +119,11 @@ fn compare(
     plan: &FlankPlan,
 ) -> Option<ComparedOrientations> {
     let active = &plan.active;
+    let middle = plan.rows.get(plan.rows.len() / 2)?;
     let cutter = RowCutter {
         cutter: &bodies.options.cutter,
-        contact_height: plan.rows.get(plan.rows.len() / 2)?.contact_height,
-        orientation: plan.orientation,
+        contact_height: middle.contact_height,
+        orientation: middle.orientation,
     };
     let [root, tip] = active.height_span();
     let height = 0.5 * (root + tip);

@@ -131,6 +131,31 @@ pub fn referee(
     plan.flanks.iter().map(of_flank).collect()
 }
 
+/// A side with its deviations, mm; `None` where no cutter comes by.
+type RaysOfSide = (MilledSide, Vec<Option<f64>>);
+
+/// Deviations of the planned flanks at places of their own, row-major [height][length], > 0 stock, mm; `None` where no cutter comes by.
+///
+/// # Errors
+/// [`RunFailure`] for motions that the referee cannot follow.
+pub fn deviations_at(
+    bodies: &MillingBodies,
+    plan: &MillingPlan,
+    places: impl Fn(MilledSide) -> [Vec<f64>; 2],
+    progress: &dyn Progress,
+) -> Result<Vec<RaysOfSide>, RunFailure> {
+    let (cutters, paths) = mill_paths(bodies, plan);
+    let swept = swept(&cutters, &paths, STOCK)?;
+    let of_flank = |flank: &FlankPlan| {
+        let [heights, lengths] = places(flank.side);
+        let rays = rays(flank, &heights, &lengths);
+        let milled =
+            swept.mill(&rays, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
+        Ok((flank.side, milled.rays.iter().map(|ray| ray.as_ref().ok().map(|ray| ray.length)).collect()))
+    };
+    plan.flanks.iter().map(of_flank).collect()
+}
+
 /// Which rays of a flank are judged: those that rows come by, and any other one that is gouged all the same.
 fn judged(
     flank: &FlankPlan,
@@ -159,7 +184,7 @@ pub(super) fn predict(
     let (active, lead) = (&flank.active, &*flank.lead);
     let cutter = bodies.options.cutter_of(OperationKind::Flank(flank.side));
     // With fewer than four columns there is no spline through them and nothing is predicted between.
-    let Ok(model) = FlankModel::new(active, lead, flank, cutter, flank.orientation) else {
+    let Ok(model) = FlankModel::new(active, lead, flank, cutter) else {
         return Ok(vec![None; heights.len() * lengths.len()]);
     };
     let places: Vec<(f64, f64)> =

@@ -1,8 +1,10 @@
 //! The document of a milling job's `result.json`, with units in the key names.
 
+use super::mate_result::MateResult;
 use super::orientation_result::OrientationResult;
 use super::program_result::ProgramResult;
-use contact::ContactPattern;
+use super::stock::StockResult;
+use super::tool_result::{ClockingResult, ToolResult, WorkOffsetResult};
 use foundation::geometry::CutterShape;
 use run::DrawingResult;
 use schemars::JsonSchema;
@@ -33,10 +35,18 @@ pub struct MillingResult {
     pub spaces: [usize; 2],
     /// The cutter of the flanks.
     pub cutter: CutterResult,
+    /// Tools by their first use.
+    pub tools: Vec<ToolResult>,
+    /// What the control has to hold as work offset; absent where programs count from the origins of machine and table.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub work_offset: Option<WorkOffsetResult>,
     /// Operations in their order, for one space.
     pub operations: Vec<OperationResult>,
     /// Flanks that are milled.
     pub flanks: BTreeMap<&'static str, FlankResult>,
+    /// Stock on them before they are finished: what roughing leaves, or the allowance of a pre-cut part; absent where neither is known.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub stock: BTreeMap<&'static str, StockResult>,
     /// Deviations of the root from its drawn section, part by part (`left_fillet`, `right_fillet`, `bottom`); absent without a pass of the
     /// root.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
@@ -46,6 +56,9 @@ pub struct MillingResult {
     pub mate: Option<MateResult>,
     /// NC programs, every one read back and proven; empty without a machine.
     pub programs: Vec<ProgramResult>,
+    /// Programs that find the clocking angle of a part whose teeth are cut already, proven by the referee's rays; empty without a probe.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub clocking_programs: Vec<ClockingResult>,
     /// Seconds per stage; the only part that differs between two runs.
     pub timing_s: BTreeMap<&'static str, f64>,
 }
@@ -101,6 +114,31 @@ pub struct OperationResult {
     /// Feed of the contact for each cutting edge; absent where the job does not tell their number.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub feed_per_tooth_mm: Option<f64>,
+    /// How the cutter is engaged while it clears the space in layers; absent of other operations and of a single layer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub engagement: Option<EngagementResult>,
+}
+
+/// Engagement of the cutter that clears a space, as its layers and passes lie.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct EngagementResult {
+    /// Layers.
+    pub layers: usize,
+    /// Greatest depth of a layer.
+    pub depth_mm: f64,
+    /// Passes that cut with the whole diameter somewhere.
+    pub full_width_passes: usize,
+    /// Greatest width of the others, from the pass before.
+    pub width_mm: f64,
+    /// Arc of the circumference that is engaged with that width.
+    pub arc_deg: f64,
+    /// Greatest thickness of their chips; absent where the job does not tell the number of edges.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub chip_thickness_mm: Option<f64>,
+    /// Material removed with that width.
+    pub removal_cm3_per_min: f64,
+    /// Material removed with the whole diameter.
+    pub full_width_removal_cm3_per_min: f64,
 }
 
 /// One flank. Arrays over rays are row-major [height][length].
@@ -253,83 +291,4 @@ pub struct RootDeviationResult {
     pub model_difference_um: Option<f64>,
     /// Rays that no cutter meets, by reason.
     pub unmilled: BTreeMap<String, usize>,
-}
-
-/// A bevel gear rolled against its conjugate mate, both with the flanks that are wanted.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct MateResult {
-    /// Teeth of the mate.
-    pub teeth: u32,
-    /// Its pitch cone angle.
-    pub pitch_cone_angle_deg: f64,
-    /// Angle between both axes.
-    pub shaft_angle_deg: f64,
-    /// Radius of its pitch cone in the middle of the face; transmission errors in um are ways there.
-    pub mean_pitch_radius_mm: f64,
-    /// Gaps up to here show contact.
-    pub marking_um: f64,
-    /// Where the milled flank begins and where the mate needs it to.
-    pub start_of_flank: MateStartResult,
-    /// Flanks that are milled.
-    pub flanks: BTreeMap<&'static str, MateFlankResult>,
-}
-
-/// Polar angles of the flank, degrees.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct MateStartResult {
-    /// Where the flank that is milled begins.
-    pub active_deg: f64,
-    /// Where the tip of the mate engages; absent where it reaches below the base cone.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub needed_deg: Option<f64>,
-    /// Whether all that the mate needs is milled.
-    pub covered: bool,
-}
-
-/// Contact on one flank of the gear, without load.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct MateFlankResult {
-    /// Pattern that rolling leaves; absent if nothing is marked.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rolled: Option<PatternResult>,
-    /// Pattern that both ease-offs say.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ease_off: Option<PatternResult>,
-    /// Common area of both patterns over the area that either covers.
-    pub overlap_percent: f64,
-    /// Peak to peak of a mesh period, as turn of the mate.
-    pub transmission_error_arcsec: f64,
-    /// The same at the mate's mean pitch radius.
-    pub transmission_error_um: f64,
-    /// What both ease-offs say for it.
-    pub transmission_error_ease_off_um: f64,
-}
-
-/// A contact pattern on the active flank: 0 % at root and toe, 100 % at tip and heel.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct PatternResult {
-    /// Covered share of the flank.
-    pub area_percent: f64,
-    /// Centre along the tooth.
-    pub centre_length_percent: f64,
-    /// Centre over the height.
-    pub centre_height_percent: f64,
-    /// From where to where along the tooth.
-    pub length_percent: [f64; 2],
-    /// From where to where over the height.
-    pub height_percent: [f64; 2],
-}
-
-impl PatternResult {
-    /// In percent.
-    pub fn new(pattern: &ContactPattern) -> Self {
-        let [height, length] = pattern.ends.map(|ends| ends.map(|share| 100.0 * share));
-        Self {
-            area_percent: 100.0 * pattern.area,
-            centre_length_percent: 100.0 * pattern.centre[1],
-            centre_height_percent: 100.0 * pattern.centre[0],
-            length_percent: length,
-            height_percent: height,
-        }
-    }
 }

@@ -1,5 +1,6 @@
 //! `plan`: from a checked job to the plan of a space, its flanks under the referee, and the verdict.
 
+use super::engagement::engagement;
 use super::finding::failure;
 use super::flank_result::flank_result;
 use super::judge::{Judged, verdict};
@@ -7,14 +8,16 @@ use super::mate::{self, MateOutcome};
 use super::orientation::{ComparedOrientations, orientations};
 use super::part_rays::{Closeness, PartSurface, part_rays};
 use super::plan_remarks::remarks_on_plan;
-use super::prepare::{MillingBodies, MillingTechnology, PreparedMilling, prepare_milling};
+use super::prepare::{MillingBodies, PreparedMilling, prepare_milling};
 use super::referee::{RefereedFlank, mill_paths, referee, swept};
 use super::result::{CutterResult, FlankResult, MillingResult, OperationResult};
 use super::root::{RefereedRoot, referee_root};
+use super::stock::standing_stock;
 use super::texts::{MillingTexts, texts};
+use super::tool_result::{clocking, tools, work_offset};
 use super::whole_part::WholePart;
 use crate::job::LoadedMillingJob;
-use crate::{MillingPlan, Operation, plan_all};
+use crate::{MillingPlan, Operation, OperationKind, plan_all};
 use foundation::numerics::Progress;
 use run::{Release, RunFailure};
 use std::collections::BTreeMap;
@@ -74,8 +77,18 @@ fn planned(
     let begun = Instant::now();
     let flanks = referee(bodies, &plan, prepared.rays, progress)?;
     let root = referee_root(bodies, &plan, prepared.rays[1], progress)?;
+    let stock = standing_stock(bodies, prepared.pre_stock.as_ref(), &plan, &flanks, progress)?;
     let part = beside(bodies, &plan, prepared.tolerance(), progress)?;
     timing.insert("referee", begun.elapsed().as_secs_f64());
+
+    let begun = Instant::now();
+    let mate = match (mate, &prepared.mate) {
+        (Some(mate), Some(pair)) => Some(mate.with_milled(pair, bodies, &plan)?),
+        (mate, _) => mate,
+    };
+    if mate.is_some() {
+        timing.insert("milled-mate", begun.elapsed().as_secs_f64());
+    }
 
     let begun = Instant::now();
     let orientations = orientations(&prepared, &plan)?;
@@ -100,8 +113,13 @@ fn planned(
     let lacking = mate.as_ref().and_then(|mate| mate.remark.as_ref());
     let found = Judged { bodies, flanks: &results, root: &root, part: &part, mate: lacking, tolerance_um };
     let mut verdict = verdict(&found);
+    stock.iter().for_each(|of| of.judge(&mut verdict));
     if let Some((_, measures)) = &prepared.teeth {
         measures.leave_class(&mut verdict);
+    }
+    if let Some(class) = prepared.bevel_class {
+        let why = "a plan has no pitches and no run-out; `flankwright inspect` judges a measured gear by it";
+        verdict.leave(format!("class {class} of ISO 17485"), why);
     }
     texts.judge(&mut verdict);
     let mut warnings = prepared.warnings.clone();
@@ -110,7 +128,7 @@ fn planned(
     if texts.programs.is_some() || texts.locations.is_some() {
         warnings.extend(Release::of(&verdict, prepared.output.programs_of_missed).remark(&verdict));
     }
-    let operation = |operation| operation_result(&prepared.technology, operation);
+    let operation = |operation| operation_result(&prepared, &plan, operation);
     let result = MillingResult {
         job: prepared.info.name.clone(),
         process: "five-axis-milling",
@@ -121,11 +139,15 @@ fn planned(
         drawing: prepared.teeth.as_ref().map(|(gear, measures)| measures.result(gear)),
         spaces: [bodies.spaces, bodies.milled],
         cutter: CutterResult::new(bodies.options.cutter.shape(), bodies.options.cutter.cutting_length()),
+        tools: tools(&prepared, &plan),
+        work_offset: work_offset(&prepared, texts.programs.as_ref()),
         operations: plan.operations.iter().map(operation).collect(),
         flanks: results,
+        stock: stock.iter().map(|of| (of.side.name(), of.result())).collect(),
         root: root.iter().map(|part| (part.name(), part.result())).collect(),
         mate: mate.as_ref().map(|mate| mate.result.clone()),
         programs: texts.results(prepared.machine.as_ref()),
+        clocking_programs: clocking(&texts.cycles),
         timing_s: timing,
     };
     Ok(MillingOutcome { result, prepared, plan, flanks, root, mate, orientations, texts })
@@ -148,9 +170,14 @@ fn beside(
     WholePart::of(&swept(&cutters, &paths, tolerance)?, &rays, tolerance, progress)
 }
 
-fn operation_result(technology: &MillingTechnology, operation: &Operation) -> OperationResult {
-    let feed = technology.feed_of(operation.kind);
-    let edges = technology.tool_of(operation.kind).edges;
+fn operation_result(
+    prepared: &PreparedMilling,
+    plan: &MillingPlan,
+    operation: &Operation,
+) -> OperationResult {
+    let tool = prepared.technology.tool_of(operation.kind);
+    let diameter = 2.0 * prepared.bodies.options.cutter_of(operation.kind).shape().radius();
+    let clears = operation.kind == OperationKind::Roughing;
     let way = |path: &crate::CutterPath| {
         path.places.windows(2).map(|pair| (pair[1].tip - pair[0].tip).norm()).sum::<f64>()
     };
@@ -159,6 +186,7 @@ fn operation_result(technology: &MillingTechnology, operation: &Operation) -> Op
         paths: operation.paths.len(),
         places: operation.paths.iter().map(|path| path.places.len()).sum(),
         way_mm: operation.paths.iter().map(way).sum(),
-        feed_per_tooth_mm: edges.map(|edges| feed / (technology.spindle_rpm * f64::from(edges))),
+        engagement: clears.then(|| engagement(&plan.layers, diameter, &tool)).flatten(),
+        feed_per_tooth_mm: tool.edges.map(|edges| tool.feed / (tool.spindle_rpm * f64::from(edges))),
     }
 }

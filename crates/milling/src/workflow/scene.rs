@@ -44,7 +44,9 @@ pub fn scene_of_milling(outcome: &MillingOutcome) -> Result<Scene, RunFailure> {
     let part = part_with(milled, fineness).map_err(|e| unmeshed("part", &e))?;
     let (id, kind) = match milled.kind {
         WorkpieceKind::Bladed => ("part", BodyKind::Part),
-        WorkpieceKind::Cylindrical | WorkpieceKind::Bevel => ("gear", BodyKind::Gear),
+        WorkpieceKind::Cylindrical | WorkpieceKind::Bevel | WorkpieceKind::Gridded => {
+            ("gear", BodyKind::Gear)
+        }
     };
     let part = Body::new(id, kind, part.check_watertight().is_ok(), &part);
     let mut bodies = vec![part];

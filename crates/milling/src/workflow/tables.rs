@@ -1,5 +1,6 @@
-//! Tables of a milling run as CSV: the topography of the flanks and the places of the cutter.
+//! Tables of a milling run as CSV: the topography of the flanks, the places of the cutter, the points at which the flanks are measured.
 
+use super::prepare::MeasuringPoint;
 use super::result::MillingResult;
 use crate::MillingPlan;
 use job::{Cell, Column, CsvError, CsvTable};
@@ -53,6 +54,35 @@ pub(super) fn places(plan: &MillingPlan) -> Result<CsvTable, CsvError> {
                 table.push_cells(&row)?;
             }
         }
+    }
+    Ok(table)
+}
+
+/// The points at which a measuring machine touches the flanks of the space about +y, with their normals out of the material.
+///
+/// # Errors
+/// A value that is not finite.
+pub(super) fn measuring_grid(points: &[MeasuringPoint]) -> Result<CsvTable, CsvError> {
+    let columns = [
+        Column::new("flank", ""),
+        Column::new("row", ""),
+        Column::new("column", ""),
+        Column::new("roll", "mm"),
+        Column::new("along", "mm"),
+        Column::new("x", "mm"),
+        Column::new("y", "mm"),
+        Column::new("z", "mm"),
+        Column::new("nx", ""),
+        Column::new("ny", ""),
+        Column::new("nz", ""),
+    ];
+    let mut table = CsvTable::new(&columns);
+    for at in points {
+        let mut row = vec![Cell::Word(at.flank.name())];
+        row.extend([at.row, at.column].map(|number| Cell::Number(number as f64)));
+        row.extend([at.roll, at.position].map(Cell::Number));
+        row.extend(at.point.iter().chain(at.normal.iter()).map(|x| Cell::Number(*x)));
+        table.push_cells(&row)?;
     }
     Ok(table)
 }

@@ -5,7 +5,7 @@ use super::clamping::{Clamping, TOO_CLOSE};
 use super::machine_remarks::remarks;
 use super::prepare::PreparedMilling;
 use super::program_result::{MountTilt, ProgramOperation, ProgramResult};
-use super::programs::{CutterLocationText, MillingProgram, MillingPrograms, RayProof};
+use super::programs::{ClockingCycle, CutterLocationText, MillingProgram, MillingPrograms, RayProof};
 use super::referee::{DEPTH, RefereedFlank, STOCK, rays as rays_of, swept};
 use super::whole_program::{ProgramUnderTest, text_tolerance};
 use super::work::{machining, work};
@@ -25,6 +25,8 @@ pub struct MillingTexts {
     pub proofs: Vec<RayProof>,
     /// What each does to the whole part.
     pub parts: Vec<PartProof>,
+    /// Programs that find the clocking angle, where the job has a probe.
+    pub cycles: Vec<ClockingCycle>,
     /// Cutter locations, where the job wants them.
     pub locations: Option<CutterLocationText>,
 }
@@ -48,7 +50,12 @@ pub(super) fn texts(
         return Ok(MillingTexts { locations, ..MillingTexts::default() });
     };
     let dialects = dialects(&prepared.output.programs, machine);
-    let programs = machining(mounting, machine, &dialects).build(&work)?;
+    let machining = machining(mounting, machine, &dialects);
+    let programs = machining.build(&work)?;
+    let cycles = match &mounting.probe {
+        Some(probe) => machining.clocking_cycles(&work, &prepared.bodies, probe)?,
+        None => Vec::new(),
+    };
     let (mut rays, mut planned) = (Vec::new(), Vec::new());
     for (made, flank) in plan.flanks.iter().zip(flanks) {
         let all = rays_of(made, &flank.heights, &flank.lengths)
@@ -72,14 +79,14 @@ pub(super) fn texts(
             work: &work,
             moves,
             swept,
-            tool_length: mounting.tool_length,
+            tool_length: work.longest_tool(),
             tolerance: text_tolerance(prepared, mounting),
             clamping: Clamping::of_mounting(mounting),
         }
         .prove(progress)
     };
     let parts = programs.programs.iter().map(of_program).collect::<Result<Vec<_>, _>>()?;
-    Ok(MillingTexts { programs: Some(programs), proofs, parts, locations })
+    Ok(MillingTexts { programs: Some(programs), proofs, parts, cycles, locations })
 }
 
 impl MillingTexts {
@@ -124,6 +131,14 @@ impl MillingTexts {
                     verdict.missed(item, detail, Remark::new(fault.code, fault.text.clone(), fault.way_out));
                 }
             }
+        }
+        for cycle in &self.cycles {
+            let detail = format!(
+                "an angle of {:.3} deg either way comes out within {:.6} deg",
+                cycle.tried.to_degrees(),
+                cycle.off.to_degrees()
+            );
+            verdict.met(format!("clocking program for {}", cycle.dialect.name()), detail);
         }
         for left in self.parts.first().iter().flat_map(|part| &part.not_covered) {
             verdict.leave(format!("programs: {left}"), "the proof does not cover it");

@@ -23,7 +23,7 @@ pub(super) struct ProgramUnderTest<'a> {
     pub moves: &'a [FollowedMove],
     /// The same made ready for rays, each a path of its own; see [`swept`].
     pub swept: &'a Swept<'a>,
-    /// From the nose of the spindle to the tip, mm.
+    /// From the nose of the spindle to the tip of the longest tool, mm.
     pub tool_length: f64,
     /// Tolerance of the job with what its text may add, mm; see [`text_tolerance`].
     pub tolerance: f64,
@@ -74,6 +74,7 @@ impl ProgramUnderTest<'_> {
         faults.extend(beside.faults);
         faults.extend(self.feeds());
         faults.extend(self.spindles());
+        faults.extend(self.coolant());
         // One fault of a block says enough of it.
         let mut known: Vec<(&'static str, usize, Option<usize>)> = Vec::new();
         faults.retain(|fault| {
@@ -281,7 +282,7 @@ impl ProgramUnderTest<'_> {
             if along > 1.0 - STRAIGHT && turn < STRAIGHT {
                 continue;
             }
-            let tools = self.work.tools.iter().filter(|tool| tool.number == made.tool);
+            let tools = self.work.tools.iter().map(|tool| &tool.tool).filter(|tool| tool.number == made.tool);
             let feeds = tools.flat_map(|tool| [tool.feed, tool.plunge_feed]);
             let [least, most] =
                 feeds.fold([f64::INFINITY, 0.0f64], |[low, high], feed| [low.min(feed), high.max(feed)]);
@@ -333,13 +334,47 @@ impl ProgramUnderTest<'_> {
         })
     }
 
+    /// Cuts without the coolant that the job wants, or with more: the first of every tool.
+    fn coolant(&self) -> Vec<ProgramFault> {
+        let mut faults: Vec<ProgramFault> = Vec::new();
+        let mut known: Vec<u32> = Vec::new();
+        for made in self.moves.iter().filter(|made| !made.rapid) {
+            let wanted = self.work.tools[self.work.tool(made.tool)].tool.coolant.supplies();
+            if made.coolant == wanted || known.contains(&made.tool) || !self.cuts(made) {
+                continue;
+            }
+            known.push(made.tool);
+            let place = made.places.last().map_or_else(Vector3::zeros, |at| at.tip);
+            let [x, y, z] = place.into();
+            faults.push(ProgramFault {
+                code: "coolant",
+                text: format!(
+                    "space {}, at ({x:.3}, {y:.3}, {z:.3}) mm: block {} cuts with tool {} and of the coolant supplies with {}; the job \
+                     wants {}",
+                    self.space_at(&place),
+                    made.block,
+                    made.tool,
+                    supplies(made.coolant),
+                    supplies(wanted)
+                ),
+                way_out: "switch the coolant of the job on with M8 or M7 before the tool cuts, or off with M9",
+                block: made.block,
+                space: Some(self.space_at(&place)),
+                surface: None,
+                place_mm: place.into(),
+                amount_mm: None,
+            });
+        }
+        faults
+    }
+
     /// Cuts with a spindle that does not turn as the job says: the first of every tool.
     fn spindles(&self) -> Vec<ProgramFault> {
         let mut faults: Vec<ProgramFault> = Vec::new();
         let mut known: Vec<u32> = Vec::new();
         for made in self.moves.iter().filter(|made| !made.rapid) {
             let turns = made.spindle.unwrap_or(0.0) * 30.0 / PI;
-            let wanted = self.work.tools[self.work.tool(made.tool)].spindle_rpm;
+            let wanted = self.work.tools[self.work.tool(made.tool)].tool.spindle_rpm;
             let right = (turns - wanted).abs() <= SPINDLE * wanted;
             if right || known.contains(&made.tool) || !self.cuts(made) {
                 continue;
@@ -364,6 +399,16 @@ impl ProgramUnderTest<'_> {
             });
         }
         faults
+    }
+}
+
+/// Supplies of coolant in words.
+fn supplies([flood, mist]: [bool; 2]) -> &'static str {
+    match (flood, mist) {
+        (false, false) => "none",
+        (true, false) => "the first (M8)",
+        (false, true) => "the second (M7)",
+        (true, true) => "both (M7, M8)",
     }
 }
 

@@ -13,10 +13,7 @@ pub(super) fn work<'a>(prepared: &'a PreparedMilling, plan: &MillingPlan) -> Mil
     let tools = plan.operations.iter().map(|operation| ToolWork {
         kind: operation.kind,
         cutter: bodies.options.cutter_of(operation.kind).clone(),
-        number: technology.tool_of(operation.kind).number,
-        spindle_rpm: technology.spindle_rpm,
-        feed: technology.feed_of(operation.kind),
-        plunge_feed: technology.plunge_feed,
+        tool: technology.tool_of(operation.kind),
         paths: operation.paths.clone(),
     });
     MillingWork {
@@ -30,14 +27,18 @@ pub(super) fn work<'a>(prepared: &'a PreparedMilling, plan: &MillingPlan) -> Mil
 
 /// A machine with the workpiece on it.
 pub(super) fn machining<'a>(
-    mounting: &Mounting,
+    mounting: &'a Mounting,
     machine: &'a LoadedMachine,
     dialects: &'a [DialectName],
 ) -> MillingMachining<'a> {
     MillingMachining {
         machine,
         mount: mounting.mount,
-        tool_length: mounting.tool_length,
+        held_clocking: mounting.held_clocking,
+        work_offset: mounting.work_offset,
+        holds_lengths: mounting.holds_lengths,
+        spindle_dwell: mounting.spindle_dwell,
+        end_position: &mounting.end_position,
         rtcp: mounting.rtcp,
         tip_control: TipControl::Directions,
         position_tolerance: 1e-3 * mounting.position_tolerance_um,

@@ -112,6 +112,11 @@ impl<'m> MillingSetup<'m> {
         Self { clamping, ..self.clone() }
     }
 
+    /// The same with a cutter of another length, mm.
+    pub fn with_tool_length(&self, tool_length: f64) -> Self {
+        Self { tool_length, ..self.clone() }
+    }
+
     /// The direction of the pole on the workpiece; its opposite is one as well.
     pub fn pole(&self) -> Direction<Workpiece> {
         self.clamping.inverse().direction(&self.pole)

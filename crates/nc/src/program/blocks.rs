@@ -1,7 +1,9 @@
 //! The blocks of a program. Every motion starts where the axes stand. Knows no dialect.
 
 use super::cubic_span::CubicSpan;
-use super::{CurveTable, Gear, GearSynchronisation, Targets, TipControl, TipMotion};
+use super::{
+    Coolant, CurveTable, Gear, GearSynchronisation, OffsetShift, ProbeMove, Targets, TipControl, TipMotion,
+};
 
 /// One step of a program.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,6 +67,17 @@ pub enum Block {
         /// Number of its length offset on the control, 1 to 999; tip control needs one.
         length_offset: Option<u32>,
     },
+    /// From here on the control adds the length that it holds under this number to axis values, which are those of the tip then, until
+    /// it adds none or another tool comes; 1 to 999. Not under tip control, which adds the length of its tool itself.
+    LengthOffset(Option<u32>),
+    /// From here on values count from the origin that the control holds under this number, see [`super::WORK_OFFSETS`].
+    WorkOffset(u16),
+    /// An axis goes until a probe touches; where it stands then is known to the control alone.
+    Probe(ProbeMove),
+    /// A work offset is corrected by what was probed.
+    ShiftOffset(OffsetShift),
+    /// Coolant; a supply stays on until all are off.
+    Coolant(Coolant),
     /// From here on the control guides the tip of the tool (RTCP): [`Block::Tip`] and no axis values.
     TipControlOn(TipControl),
     /// From here on axis values again.
@@ -80,7 +93,12 @@ impl Block {
     pub fn moves(&self) -> bool {
         matches!(
             self,
-            Self::Rapid(_) | Self::Linear { .. } | Self::Cubic(_) | Self::BSpline(_) | Self::Tip(_)
+            Self::Rapid(_)
+                | Self::Linear { .. }
+                | Self::Cubic(_)
+                | Self::BSpline(_)
+                | Self::Tip(_)
+                | Self::Probe(_)
         )
     }
 }

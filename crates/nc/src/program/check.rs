@@ -4,7 +4,7 @@
 use super::check_state::{GearPlace, SPINDLES, State, TipState};
 use super::{
     AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CurveTable, Gear, GearSynchronisation,
-    Header, MAXIMUM_AXES, Repetition, Targets, Word,
+    Header, MAXIMUM_AXES, OffsetShift, ProbeMove, Repetition, SLOTS, Targets, WORK_OFFSETS, Word,
 };
 use crate::NcError;
 use std::collections::BTreeMap;
@@ -36,6 +36,7 @@ pub(super) fn check(header: &Header, blocks: &[Block]) -> Result<(), NcError> {
         speeds: [0.0; SPINDLES],
         switched: 0,
         tip: TipState::default(),
+        probed: 0,
         block: 0,
     };
     for (k, block) in blocks.iter().enumerate() {
@@ -176,12 +177,75 @@ impl State<'_> {
                 };
             }
             Block::Table(table) => self.table(table)?,
+            Block::Coolant(_) => {}
+            Block::Probe(motion) => self.probe(motion)?,
+            Block::ShiftOffset(shift) => self.shift_offset(shift)?,
+            Block::WorkOffset(number) => {
+                if !WORK_OFFSETS.contains(number) {
+                    let (axis, value) = ("work offset".into(), f64::from(*number));
+                    return Err(NcError::NumberRange {
+                        block: here,
+                        axis,
+                        value,
+                        allowed: "work offsets 1 to 354",
+                    });
+                }
+                // The axes stand elsewhere in the new count.
+                self.known = 0;
+            }
             Block::Tool { .. }
+            | Block::LengthOffset(_)
             | Block::TipControlOn(_)
             | Block::TipControlOff
             | Block::Tip(_)
             | Block::TipSpeed(_) => self.tip_block(block)?,
         }
+        Ok(())
+    }
+
+    fn probe(&mut self, motion: &ProbeMove) -> Result<(), NcError> {
+        let axis = self.movable(motion.axis)?;
+        self.value(axis, motion.to)?;
+        let name = axis.name.as_str().into();
+        let shown =
+            60.0 * if axis.motion == AxisMotion::Rotary { motion.speed.to_degrees() } else { motion.speed };
+        if !(0.1..=1e6).contains(&shown) {
+            let allowed = "probing speeds of 0.1 to 1e6 mm/min or deg/min";
+            return Err(NcError::NumberRange { block: self.block, axis: name, value: shown, allowed });
+        }
+        self.slot(motion.slot)?;
+        self.known(motion.axis)?;
+        self.probed |= 1 << motion.slot;
+        // It stops wherever it touches.
+        self.known &= !(1 << motion.axis);
+        Ok(())
+    }
+
+    fn slot(&self, slot: u8) -> Result<(), NcError> {
+        if SLOTS.contains(&slot) {
+            return Ok(());
+        }
+        let (axis, value) = ("number of a probed place".into(), slot.into());
+        Err(NcError::NumberRange { block: self.block, axis, value, allowed: "1 to 9" })
+    }
+
+    fn shift_offset(&mut self, shift: &OffsetShift) -> Result<(), NcError> {
+        let axis = self.movable(shift.axis)?;
+        self.value(axis, shift.middle)?;
+        for slot in shift.slots {
+            self.slot(slot)?;
+            if self.probed >> slot & 1 == 0 {
+                let (axis, value) = ("number of a probed place".into(), slot.into());
+                let allowed = "places that were probed before";
+                return Err(NcError::NumberRange { block: self.block, axis, value, allowed });
+            }
+        }
+        if !WORK_OFFSETS.contains(&shift.number) {
+            let (axis, value) = ("work offset".into(), f64::from(shift.number));
+            let allowed = "work offsets 1 to 354";
+            return Err(NcError::NumberRange { block: self.block, axis, value, allowed });
+        }
+        self.known = 0;
         Ok(())
     }
 

@@ -4,11 +4,14 @@ use super::{AxisWord, MAXIMUM_AXES, TipControl};
 use std::collections::BTreeMap;
 
 /// How far the tip control is.
-#[derive(Default)]
+#[derive(Clone, Copy, Default)]
 pub(super) struct TipState {
     pub(super) on: Option<TipControl>,
-    /// Whether a tool with a length offset was called.
+    /// Whether a tool was called, and whether with a length offset.
+    pub(super) tool: bool,
     pub(super) offset: bool,
+    /// Whether the control adds a length to axis values.
+    pub(super) lengthened: bool,
     /// Whether something said where the axis points, and how fast the tip is.
     pub(super) oriented: bool,
     pub(super) paced: bool,
@@ -36,5 +39,7 @@ pub(super) struct State<'a> {
     /// Bit mask of the outputs that are switched with the next motion.
     pub(super) switched: u16,
     pub(super) tip: TipState,
+    /// Bit mask of the places that a probe has kept.
+    pub(super) probed: u16,
     pub(super) block: usize,
 }

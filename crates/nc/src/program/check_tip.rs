@@ -24,6 +24,7 @@ impl State<'_> {
             Block::Dwell(_)
                 | Block::Spindle { .. }
                 | Block::Output { .. }
+                | Block::Coolant(_)
                 | Block::Comment(_)
                 | Block::Stop
                 | Block::TipControlOn(_)
@@ -44,7 +45,8 @@ impl State<'_> {
                 if let Some(offset) = length_offset {
                     self.tool_number("length offset", *offset, 999, "length offsets 1 to 999")?;
                 }
-                self.tip.offset = length_offset.is_some();
+                (self.tip.tool, self.tip.offset, self.tip.lengthened) =
+                    (true, length_offset.is_some(), false);
                 self.speeds[0] = 0.0;
             }
             Block::TipControlOn(control) => {
@@ -54,15 +56,30 @@ impl State<'_> {
                 if self.is_coupled() {
                     return Err(self.tip_state("switches tip control on under a gear"));
                 }
+                if self.tip.lengthened {
+                    return Err(self.tip_state(
+                        "switches tip control on while the control adds a length to axis values",
+                    ));
+                }
                 if !self.tip.offset {
                     return Err(self.tip_state("needs a tool with a length offset before"));
                 }
-                self.tip =
-                    TipState { on: Some(*control), offset: self.tip.offset, oriented: false, paced: false };
+                self.tip = TipState { on: Some(*control), oriented: false, paced: false, ..self.tip };
             }
             Block::TipControlOff => {
                 self.tip.on = None;
                 // The control has moved all axes as it needed them.
+                self.known = 0;
+            }
+            Block::LengthOffset(offset) => {
+                if let Some(offset) = offset {
+                    self.tool_number("length offset", *offset, 999, "length offsets 1 to 999")?;
+                }
+                if !self.tip.tool {
+                    return Err(self.tip_state("adds the length of a tool that nothing has called"));
+                }
+                self.tip.lengthened = offset.is_some();
+                // The axes stand elsewhere in the new count.
                 self.known = 0;
             }
             Block::Tip(motion) => self.tip_motion(motion)?,

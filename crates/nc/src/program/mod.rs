@@ -9,6 +9,7 @@ mod check_state;
 mod check_tip;
 mod coupling;
 mod cubic_span;
+mod shop;
 mod tip;
 
 pub use axes::{AxisMotion, AxisWord, Header, MAXIMUM_AXES, Targets, Word};
@@ -17,6 +18,8 @@ pub use coupling::{
     Coupling, CurveTable, Gear, GearLeader, GearSynchronisation, Repetition, TablePiece, ToothData,
 };
 pub use cubic_span::CubicSpan;
+pub(crate) use shop::SLOTS;
+pub use shop::{Coolant, OffsetShift, ProbeMove, WORK_OFFSETS};
 pub use tip::{Angles, MAXIMUM_ANGLES, Orientation, Pace, TipControl, TipMotion};
 
 use super::NcError;

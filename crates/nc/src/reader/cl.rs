@@ -6,10 +6,10 @@ use super::machine::Fault;
 use super::scan::Scan;
 use super::tip::unit;
 use super::{Grammar, program_name};
-use crate::{Block, ClCutter, Orientation, Pace, TipControl, TipMotion};
+use crate::{Block, ClCutter, Coolant, Orientation, Pace, TipControl, TipMotion};
 
 const WORDS: &str =
-    "PARTNO UNITS TOOL LOADTL SPINDL FEDRAT RAPID GOTO MULTAX DELAY STOP PPRINT FINI, comments $$";
+    "PARTNO UNITS TOOL LOADTL SPINDL FEDRAT RAPID GOTO MULTAX DELAY COOLNT STOP PPRINT FINI, comments $$";
 /// What five decimals may do to a corner's radius that is half the diameter, mm.
 const ROUNDED: f64 = 1e-5;
 /// Most numbers of a record.
@@ -203,6 +203,12 @@ impl Cl {
                     true => Block::TipControlOn(TipControl::Directions),
                     false => Block::TipControlOff,
                 });
+            }
+            b"COOLNT" => {
+                let words = [("OFF", Coolant::Off), ("FLOOD", Coolant::Flood), ("MIST", Coolant::Mist)];
+                let named = words.into_iter().find(|(word, _)| values.are(&[word]) && numbers.is_empty());
+                let (_, coolant) = named.ok_or((MISSING, "COOLNT/FLOOD, COOLNT/MIST or COOLNT/OFF"))?;
+                self.blocks.push(Block::Coolant(coolant));
             }
             b"DELAY" => match numbers {
                 [seconds] if values.minor_count == 0 && (1e-6..=1e5).contains(seconds) => {

@@ -5,9 +5,10 @@ mod words;
 
 use super::error::{ReadError, ReadProblem};
 use super::machine::{AxisWords, Fault, Machine, Motion};
+use super::probing::matched;
 use super::scan::{Decimal, Scan};
 use super::{Grammar, ReadProgram, program_name};
-use crate::{AxisMotion, Block, Coupling, Dialect, Gear, GearLeader, TipControl, ToothData, Word};
+use crate::{AxisMotion, Block, Coolant, Coupling, Dialect, Gear, GearLeader, TipControl, ToothData, Word};
 use words::{Codes, Words, letter};
 
 const BELONG: &str = "only words that belong to the codes of the line";
@@ -55,6 +56,66 @@ impl<'a> Iso<'a> {
             coupled: None,
             waits: false,
         }
+    }
+
+    /// A line of a probing cycle; false if it is none.
+    fn probing_line(&mut self, bytes: &[u8]) -> Result<bool, Fault> {
+        let fanuc = self.is_fanuc();
+        let code = if fanuc { "G94G31@%F%" } else { "G94G38.2@%F%" };
+        if let Some(found) = matched(bytes, code, &self.machine) {
+            self.machine.motion = Motion::None;
+            return self.machine.probing(&found).map(|()| true);
+        }
+        // Nothing was touched: an alarm.
+        if fanuc && matched(bytes, "IF[ABS[#%-[%]]LT%]THEN#3000=%(NOTOUCH)", &self.machine).is_some() {
+            let open = self.machine.probing.is_some();
+            return if open { Ok(true) } else { Err((ReadProblem::Missing, "a probing motion before")) };
+        }
+        if let Some(found) = matched(bytes, "#%=#%", &self.machine) {
+            let [slot, place] = found.numbers[..] else { return Ok(false) };
+            let axis = self.axis_numbered(place - 5060.0);
+            let axis =
+                axis.ok_or((ReadProblem::OutOfRange, "the place of an axis at the touch, from #5061"))?;
+            return self.machine.probed(axis, slot).map(|()| true);
+        }
+        for (pattern, first, before) in [
+            ("G10L2P%@[#%+[#%+#%]/2-[%]]", 5220.0, 0.0),
+            ("G90G10L2P%@[#%+[#%+#%]/2.-[%]]", 5220.0, 0.0),
+            ("G90G10L20P%@[#%+[#%+#%]/2.-[%]]", 7000.0, 6.0),
+        ] {
+            let Some(found) = matched(bytes, pattern, &self.machine) else { continue };
+            let ([number, offset, a, b, middle], [axis]) = (&found.numbers[..], &found.axes[..]) else {
+                continue;
+            };
+            let most = if first > 7e3 - 1.0 {
+                48.0
+            } else if fanuc {
+                6.0
+            } else {
+                9.0
+            };
+            if number.fract() != 0.0 || !(1.0..=most).contains(number) {
+                return Err((ReadProblem::OutOfRange, "the number of a work offset behind P"));
+            }
+            if self.axis_numbered(offset - first - 20.0 * (number - 1.0)) != Some(*axis) {
+                return Err((ReadProblem::Conflict, "the variable of the same axis in the same work offset"));
+            }
+            return self.machine.offset_by_probe(number + before, *axis, [*a, *b], *middle).map(|()| true);
+        }
+        Ok(false)
+    }
+
+    /// The axis that the variables of a control count as this, from 1: by its letter on LinuxCNC, by its place on Fanuc.
+    fn axis_numbered(&self, number: f64) -> Option<usize> {
+        if number.fract() != 0.0 || !(1.0..=16.0).contains(&number) {
+            return None;
+        }
+        let place = number as usize - 1;
+        if self.is_fanuc() {
+            return (place < self.machine.axes.len()).then_some(place);
+        }
+        let letter = *b"XYZABCUVW".get(place)?;
+        self.letters[usize::from(letter - b'A')].map(usize::from)
     }
 
     fn is_fanuc(&self) -> bool {
@@ -121,6 +182,7 @@ impl<'a> Iso<'a> {
             let number = self.words.get(b'T').and_then(Decimal::count);
             self.machine.tool(number, None)?;
         }
+        self.coolant(codes)?;
         self.spindle(codes)?;
         if dwell {
             self.dwell()?;
@@ -144,7 +206,17 @@ impl<'a> Iso<'a> {
                 }
                 810 => self.couple()?,
                 434 | 435 => self.tip_on(codes)?,
-                490 => self.machine.tip_off(),
+                430 => self.lengthened()?,
+                490 if self.machine.tip.is_some() => self.machine.tip_off(),
+                490 => self.machine.length(None)?,
+                540 | 550 | 560 | 570 | 580 | 590 => self.machine.origin((code / 10) as u16 - 53)?,
+                591..=593 => self.machine.origin(code as u16 - 584)?,
+                541 => {
+                    let number = self.words.get(b'P').and_then(Decimal::count);
+                    let number = number.filter(|number| (1..=300).contains(number));
+                    let number = number.ok_or((ReadProblem::Missing, "G54.1 with P1 to P300"))?;
+                    self.machine.origin(number as u16 + 6)?;
+                }
                 800 => {
                     self.machine.motion = Motion::None;
                     if let (true, Some(follower)) = (self.is_fanuc(), self.coupled.take()) {
@@ -193,6 +265,29 @@ impl<'a> Iso<'a> {
         Ok(())
     }
 
+    fn coolant(&mut self, codes: &Codes) -> Result<(), Fault> {
+        let words = [(7, Coolant::Mist), (8, Coolant::Flood), (9, Coolant::Off)];
+        let mut found = words.into_iter().filter(|(code, _)| codes.m.has(*code));
+        if let Some((_, coolant)) = found.next() {
+            self.machine.blocks.push(Block::Coolant(coolant));
+        }
+        found.next().map_or(Ok(()), |_| Err((ReadProblem::Conflict, "one of M7, M8, M9")))
+    }
+
+    /// G43 with the number of the tool's length offset.
+    fn lengthened(&mut self) -> Result<(), Fault> {
+        if self.coupled.is_some() || !self.axis_words.is_empty() {
+            return Err((ReadProblem::Conflict, "G43 with H alone, not under G81"));
+        }
+        let offset = self.words.get(b'H').and_then(Decimal::count);
+        let offset = offset.filter(|offset| (1..=999).contains(offset));
+        let offset = offset.ok_or((ReadProblem::Missing, "G43 with H1 to H999"))?;
+        if !self.machine.blocks.iter().any(|block| matches!(block, Block::Tool { .. })) {
+            return Err((ReadProblem::Missing, "T and M6 before the length offset"));
+        }
+        self.machine.length(Some(offset))
+    }
+
     /// G43.4 or G43.5 with the number of the tool's length offset.
     fn tip_on(&mut self, codes: &Codes) -> Result<(), Fault> {
         if self.coupled.is_some() || !self.axis_words.is_empty() {
@@ -200,7 +295,10 @@ impl<'a> Iso<'a> {
         }
         let offset =
             self.words.get(b'H').and_then(Decimal::count).filter(|offset| (1..=999).contains(offset));
-        self.machine.tool_offset(offset.ok_or((ReadProblem::Missing, "G43.4 or G43.5 with H1 to H999"))?)?;
+        let offset = offset.ok_or((ReadProblem::Missing, "G43.4 or G43.5 with H1 to H999"))?;
+        // It takes the place of G43.
+        self.machine.length(None)?;
+        self.machine.tool_offset(offset)?;
         let control = if codes.g.has(434) { TipControl::Angles } else { TipControl::Directions };
         self.machine.tip_on(Some(control))
     }
@@ -333,6 +431,11 @@ impl Grammar for Iso<'_> {
             } else if !self.percent {
                 return Err(scan.fault(ReadProblem::End, 0, "% in the first and the last line"));
             }
+            return Ok(());
+        }
+        let cycle = if self.machine.ended { Ok(false) } else { self.probing_line(bytes) };
+        if self.machine.taken_by_probing(cycle, bytes, &mut scan)? {
+            self.begun = true;
             return Ok(());
         }
         let before = self.machine.ended;

@@ -2,6 +2,7 @@
 //! the dialects tell it what happens.
 
 use super::error::ReadProblem;
+use super::probing::Probing;
 use super::scan::Decimal;
 use crate::{AxisMotion, AxisWord, Block, CubicMotion, CubicSpan, MAXIMUM_AXES, Targets, TipControl, Word};
 
@@ -91,6 +92,13 @@ pub(super) struct Machine<'a> {
     pub tip: Option<Tip>,
     /// Axes that tip control has moved to where no text says, as bits.
     pub lost: u16,
+    /// Length offset in force, and whether tip control alone uses it.
+    pub length: Option<u32>,
+    pub length_of_tip: bool,
+    /// A motion that a probe ends, until its place is kept.
+    pub probing: Option<Probing>,
+    /// Work offset in force; 0: the count of the machine.
+    pub work_offset: u16,
     /// Speed, 1/min, and direction of each spindle.
     spindles: [(Option<f64>, f64); 8],
 }
@@ -118,6 +126,10 @@ impl<'a> Machine<'a> {
             places: [Decimal::default(); MAXIMUM_AXES],
             tip: None,
             lost: 0,
+            length: None,
+            length_of_tip: false,
+            probing: None,
+            work_offset: 0,
             spindles: [(None, 0.0); 8],
         }
     }

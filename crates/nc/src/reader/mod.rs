@@ -9,6 +9,7 @@ mod error;
 mod hal;
 mod iso;
 mod machine;
+mod probing;
 mod scan;
 mod siemens;
 mod tip;

@@ -8,13 +8,14 @@ mod words;
 
 use super::error::{ReadError, ReadProblem};
 use super::machine::{AxisWords, Fault, Machine, Motion, Places};
+use super::probing::matched;
 use super::scan::{Decimal, Scan};
 use super::tip::Three;
 use super::{Grammar, ReadProgram, program_name};
-use crate::{Block, CurveTable, Gear, MAXIMUM_AXES, Targets, TipControl, Word};
+use crate::{Block, Coolant, CurveTable, Gear, MAXIMUM_AXES, Targets, TipControl, Word};
 use words::Name;
 
-const CODES: &str = "G0 G1 G4 G17 G40 G64 G70 G71 G90 G91 G93 G94 G500 G700 G710, M0 M1 M2 M3 M4 M5 M6 M30";
+const CODES: &str = "G0 G1 G4 G17 G40 G54 to G57 G64 G70 G71 G90 G91 G93 G94 G500 G505 to G599 G700 G710, M0 M1 M2 M3 M4 M5 M6 M7 M8 M9 M30";
 
 /// What one line says.
 struct Line {
@@ -34,6 +35,7 @@ struct Line {
     interval: Option<Decimal>,
     degree: Option<Decimal>,
     tip: TipWords,
+    coolant: Option<Coolant>,
     /// Number and state of the output that an action of the line switches.
     output: Option<(Option<u32>, bool)>,
 }
@@ -77,6 +79,7 @@ impl Line {
             interval: None,
             degree: None,
             tip: TipWords::default(),
+            coolant: None,
             output: None,
         }
     }
@@ -92,6 +95,14 @@ impl Line {
     fn has(&self, code: u32) -> bool {
         self.codes[..self.code_count].contains(&code)
     }
+}
+
+/// The number behind D; 0 is no edge.
+fn edge(word: Option<Decimal>) -> Result<Option<u32>, Fault> {
+    let Some(word) = word else { return Ok(None) };
+    let number = word.count().filter(|number| *number <= 999);
+    let number = number.ok_or((ReadProblem::OutOfRange, "D0 to D999"))?;
+    Ok(Some(number).filter(|number| *number > 0))
 }
 
 /// A spline whose lines are being read.
@@ -191,19 +202,28 @@ impl<'a> Siemens<'a> {
         let tip = self.line.tip;
         if tip.change {
             let count = |word: Option<Decimal>| word.and_then(Decimal::count);
-            if tip.offset.is_some() && count(tip.offset).is_none_or(|offset| offset == 0) {
-                return Err((ReadProblem::OutOfRange, "D from 1"));
+            let edge = edge(tip.offset)?;
+            self.machine.tool(count(tip.tool), edge)?;
+            if edge.is_some() {
+                self.machine.length(edge)?;
             }
-            self.machine.tool(count(tip.tool), count(tip.offset))?;
-        } else if tip.tool.is_some() || tip.offset.is_some() {
-            return Err((ReadProblem::Missing, "M6 beside T and D"));
+        } else if tip.tool.is_some() {
+            return Err((ReadProblem::Missing, "M6 beside T"));
+        } else if tip.offset.is_some() {
+            if !self.line.axes.is_empty() || self.line.code_count > 0 {
+                return Err((ReadProblem::Conflict, "D beside M6, or alone in its line"));
+            }
+            self.machine.length(edge(tip.offset)?)?;
         }
         match tip.switch {
             None => Ok(()),
             Some(TipSwitch::On) if self.gears.iter().flatten().any(|gear| gear.on) => {
                 Err((ReadProblem::Conflict, "EGOFS before TRAORI"))
             }
-            Some(TipSwitch::On) => self.machine.tip_on(None),
+            Some(TipSwitch::On) => {
+                self.machine.length_for_tip()?;
+                self.machine.tip_on(None)
+            }
             Some(TipSwitch::Off) => {
                 self.machine.tip_off();
                 Ok(())
@@ -232,6 +252,9 @@ impl<'a> Siemens<'a> {
             }
         }
         self.tool_words()?;
+        if let Some(coolant) = self.line.coolant {
+            self.machine.blocks.push(Block::Coolant(coolant));
+        }
         let line = &self.line;
         for spindle in 0..8 {
             let (speed, direction) = (line.speeds[spindle].map(Decimal::value), line.directions[spindle]);
@@ -247,6 +270,8 @@ impl<'a> Siemens<'a> {
                 71 | 710 => self.machine.inch = false,
                 90 => self.machine.incremental = false,
                 91 => self.machine.incremental = true,
+                54..=57 => self.machine.origin(code as u16 - 53)?,
+                500..=599 => self.machine.origin(code as u16 - 500)?,
                 _ => {}
             }
         }
@@ -310,12 +335,50 @@ impl<'a> Siemens<'a> {
     }
 }
 
+impl Siemens<'_> {
+    /// A line of a probing cycle; false if it is none.
+    fn probing_line(&mut self, bytes: &[u8]) -> Result<bool, Fault> {
+        if let Some(found) = matched(bytes, "G94MEAS=1G1@%F%", &self.machine) {
+            self.machine.motion = Motion::None;
+            return self.machine.probing(&found).map(|()| true);
+        }
+        // The control waits, and an alarm ends a cycle that has touched nothing.
+        let waits = ["STOPRE", "IF$AC_MEA[1]==0", "SETAL(65000)", "ENDIF"];
+        if waits.iter().any(|pattern| matched(bytes, pattern, &self.machine).is_some()) {
+            let open = self.machine.probing.is_some();
+            return if open { Ok(true) } else { Err((ReadProblem::Missing, "a probing motion before")) };
+        }
+        if let Some(found) = matched(bytes, "R%=$AA_MW[@]", &self.machine) {
+            let ([slot], [axis]) = (&found.numbers[..], &found.axes[..]) else { return Ok(false) };
+            return self.machine.probed(*axis, *slot).map(|()| true);
+        }
+        if let Some(found) = matched(bytes, "$P_UIFR[%,@,TR]=$P_UIFR[%,@,TR]+(R%+R%)/2-(%)", &self.machine) {
+            let ([number, again, a, b, middle], [axis, same]) = (&found.numbers[..], &found.axes[..]) else {
+                return Ok(false);
+            };
+            if number != again || axis != same {
+                return Err((ReadProblem::Conflict, "the same axis of the same work offset on both sides"));
+            }
+            if number.fract() != 0.0 || !(1.0..=99.0).contains(number) {
+                return Err((ReadProblem::OutOfRange, "work offsets 1 to 99"));
+            }
+            return self.machine.offset_by_probe(*number, *axis, [*a, *b], *middle).map(|()| true);
+        }
+        Ok(false)
+    }
+}
+
 impl Grammar for Siemens<'_> {
     const LINE: usize = 512;
     type Read = ReadProgram;
 
     fn line(&mut self, bytes: &[u8], number: usize) -> Result<(), ReadError> {
         let mut scan = Scan::new(bytes, number);
+        let cycle = if self.machine.ended { Ok(false) } else { self.probing_line(bytes) };
+        if self.machine.taken_by_probing(cycle, bytes, &mut scan)? {
+            self.begun = true;
+            return Ok(());
+        }
         let any = self.words(&mut scan)?;
         if !any {
             return Ok(());

@@ -20,7 +20,52 @@ impl Machine<'_> {
         let number =
             number.filter(|number| *number > 0).ok_or((ReadProblem::Missing, "T from 1 beside M6"))?;
         self.still();
+        (self.length, self.length_of_tip) = (None, false);
         self.blocks.push(Block::Tool { number, length_offset });
+        Ok(())
+    }
+
+    /// From here on the control adds this length to axis values, or none.
+    pub fn length(&mut self, offset: Option<u32>) -> Result<(), Fault> {
+        if self.tip.is_some() {
+            return Err((ReadProblem::Conflict, "length offsets before tip control or after it"));
+        }
+        let change = self.length != offset && !(offset.is_none() && self.length_of_tip);
+        (self.length, self.length_of_tip) = (offset, false);
+        if change {
+            self.blocks.push(Block::LengthOffset(offset));
+            self.lost = u16::MAX;
+        }
+        Ok(())
+    }
+
+    /// Tip control takes the length that is in force; where nothing else came after it, for itself alone.
+    pub fn length_for_tip(&mut self) -> Result<(), Fault> {
+        let Some(offset) = self.length else { return Ok(()) };
+        self.tool_offset(offset)?;
+        if self.blocks.last() == Some(&Block::LengthOffset(Some(offset))) {
+            self.blocks.pop();
+            self.length_of_tip = true;
+        }
+        Ok(())
+    }
+
+    /// Values count from another origin; 0 is that of the machine.
+    pub fn origin(&mut self, number: u16) -> Result<(), Fault> {
+        if self.tip.is_some() {
+            return Err((ReadProblem::Conflict, "work offsets before tip control or after it"));
+        }
+        if self.work_offset != number {
+            self.work_offset = number;
+            self.lost = u16::MAX;
+            if number == 0 {
+                return Err((
+                    ReadProblem::Conflict,
+                    "one count of the axes: no G500 or G53 behind a work offset",
+                ));
+            }
+            self.blocks.push(Block::WorkOffset(number));
+        }
         Ok(())
     }
 

@@ -4,6 +4,7 @@
 //! ```text
 //! PARTNO/NAME                     UNITS/MM                    TOOL/MILL,diameter,corner radius,cutting length
 //! LOADTL/number,OSETNO,offset     SPINDL/RPM,speed,CLW        SPINDL/OFF      DELAY/seconds   STOP   PPRINT/text
+//! COOLNT/FLOOD   COOLNT/MIST      COOLNT/OFF
 //! MULTAX/ON   MULTAX/OFF          FEDRAT/speed,MMPM           FEDRAT/feed,INVERS (of the next GOTO, 1/min)
 //! RAPID (the next GOTO)           GOTO/x,y,z,i,j,k            FINI
 //! ```
@@ -11,7 +12,7 @@
 use super::lines::per_minute;
 use super::number::push_fixed;
 use super::options::{Decimals, TipDecimals, WriteOptions};
-use crate::{Block, NcError, Orientation, Pace, Program, TipControl, TipMotion};
+use crate::{Block, Coolant, NcError, Orientation, Pace, Program, TipControl, TipMotion};
 use std::io::Write as _;
 
 /// The cutter as a CL text names it.
@@ -76,6 +77,14 @@ pub fn write_cl(program: &Program, cutter: Option<&ClCutter>) -> Result<String, 
                 push_fixed(&mut text, per_minute(speed.abs()), 6);
                 line!(",{}", if speed > 0.0 { "CLW" } else { "CCLW" });
             }
+            Block::Coolant(coolant) => line!(
+                "COOLNT/{}",
+                match coolant {
+                    Coolant::Off => "OFF",
+                    Coolant::Flood => "FLOOD",
+                    Coolant::Mist => "MIST",
+                }
+            ),
             Block::Dwell(seconds) => {
                 text.extend_from_slice(b"DELAY/");
                 push_fixed(&mut text, seconds, 6);
@@ -184,6 +193,7 @@ pub(crate) fn resolved(program: &Program) -> Result<Vec<Block>, NcError> {
             | Block::TipControlOff
             | Block::Spindle { .. }
             | Block::Dwell(_)
+            | Block::Coolant(_)
             | Block::Comment(_)
             | Block::Stop
             | Block::End => blocks.push(block.clone()),

@@ -3,8 +3,9 @@
 
 use super::lines::{Lines, PLAIN_DECIMALS, per_minute};
 use super::unconfirmed::{
-    FANUC_CONTOUR_OFF, FANUC_CONTOUR_ON, FANUC_DWELL, FANUC_FIRST_OUTPUT, FANUC_LINE, FANUC_PREAMBLE,
-    FANUC_READ_NO_FURTHER, FANUC_SPINDLE_WORD, FANUC_TOOL_CHANGE, is_fanuc_comment,
+    FANUC_CONTOUR_OFF, FANUC_CONTOUR_ON, FANUC_DWELL, FANUC_FIRST_OUTPUT, FANUC_KEPT, FANUC_LINE,
+    FANUC_MORE_OFFSETS, FANUC_NO_TOUCH, FANUC_OFFSETS, FANUC_PREAMBLE, FANUC_READ_NO_FURTHER,
+    FANUC_SKIP_POSITION, FANUC_SPINDLE_WORD, FANUC_TOOL_CHANGE, is_fanuc_comment,
 };
 use super::{WriteOptions, Written};
 use crate::{Block, Coupling, Gear, MAXIMUM_AXES, NcError, Program, TipControl, ToothData, Word};
@@ -112,6 +113,57 @@ pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written
                 out.push_format(format_args!("T{number}"));
                 out.push_line(FANUC_TOOL_CHANGE)?;
             }
+            Block::LengthOffset(length) => {
+                match length {
+                    Some(length) => out.push_format(format_args!("G43 H{length}")),
+                    None => out.push("G49"),
+                }
+                out.end_line()?;
+                out.loose_all();
+            }
+            Block::WorkOffset(number) => {
+                match number {
+                    1..=6 => out.push_format(format_args!("G{}", 53 + number)),
+                    7..=306 => out.push_format(format_args!("G54.1 P{}", number - 6)),
+                    _ => return Err(out.no_such_offset(*number, "1 to 306: G54 to G59, G54.1 P1 to P300")),
+                }
+                out.end_line()?;
+                out.loose_all();
+            }
+            Block::Probe(motion) => {
+                out.probe("G31", motion)?;
+                // The skip position is the end of the block where nothing was touched.
+                let place = FANUC_SKIP_POSITION + motion.axis;
+                out.push_format(format_args!("IF[ABS[#{place}-["));
+                out.axis_value(motion.axis, motion.to);
+                out.push_line(FANUC_NO_TOUCH)?;
+                out.push_format(format_args!("#{}=#{place}", FANUC_KEPT + u16::from(motion.slot)));
+                out.end_line()?;
+            }
+            Block::ShiftOffset(shift) => {
+                let (word, number, first) = match shift.number {
+                    1..=6 => ("L2", shift.number, FANUC_OFFSETS + 20 * (usize::from(shift.number) - 1)),
+                    7..=54 => {
+                        ("L20", shift.number - 6, FANUC_MORE_OFFSETS + 20 * (usize::from(shift.number) - 7))
+                    }
+                    _ => {
+                        return Err(out.no_such_offset(
+                            shift.number,
+                            "1 to 54 where it is measured: G54 to G59, G54.1 P1 to P48",
+                        ));
+                    }
+                };
+                let [first_slot, second_slot] = shift.slots.map(|slot| FANUC_KEPT + u16::from(slot));
+                let letter = out.axes[shift.axis].address.clone();
+                out.push_format(format_args!(
+                    "G90 G10 {word} P{number} {letter}[#{}+[#{first_slot}+#{second_slot}]/2.-[",
+                    first + shift.axis
+                ));
+                out.axis_value(shift.axis, shift.middle);
+                out.push_line("]]")?;
+                out.loose_all();
+            }
+            Block::Coolant(coolant) => out.coolant(*coolant)?,
             Block::TipControlOn(control) => {
                 let code = if *control == TipControl::Angles { "G43.4" } else { "G43.5" };
                 // A program has an offset before it has tip control.

@@ -2,11 +2,14 @@
 
 use super::number::{push_fixed, push_units, units};
 use super::options::{Decimals, FeedWords, Rounding, TipDecimals, WriteOptions, Written};
-use crate::{AxisMotion, MAXIMUM_AXES, NcError, Program, Targets, Word};
+use crate::{AxisMotion, Coolant, MAXIMUM_AXES, NcError, ProbeMove, Program, Targets, Word};
 use std::io::Write as _;
 
 /// Decimals of dwells in s, of tolerances in mm and of spindle speeds in 1/min.
 pub(super) const PLAIN_DECIMALS: u8 = 6;
+
+/// Decimals of the speed of a probe, mm/min or deg/min.
+const PROBING_DECIMALS: u8 = 3;
 
 /// What a value of an axis looks like.
 pub(super) struct AxisText {
@@ -187,6 +190,35 @@ impl<'a> Lines<'a> {
         if let Some(places) = &mut self.increments {
             *places = [None; MAXIMUM_AXES];
         }
+    }
+
+    /// The word of a supply of coolant, which all controls have alike.
+    pub fn coolant(&mut self, coolant: Coolant) -> Result<(), NcError> {
+        self.push_line(match coolant {
+            Coolant::Off => "M9",
+            Coolant::Flood => "M8",
+            Coolant::Mist => "M7",
+        })
+    }
+
+    /// A motion of one axis by words of a control, with the axis's place and a feed per minute behind them.
+    pub fn probe(&mut self, words: &str, motion: &ProbeMove) -> Result<(), NcError> {
+        self.line_number()?;
+        self.mode = FeedMode::PerMinute;
+        self.push("G94 ");
+        self.push(words);
+        self.absolute(motion.axis, motion.to);
+        self.push(" F");
+        let scale = self.axes[motion.axis].scale;
+        self.fixed(60.0 * scale * motion.speed, PROBING_DECIMALS);
+        self.loose(motion.axis);
+        self.end_line()
+    }
+
+    /// A work offset beyond those that the control has.
+    pub fn no_such_offset(&self, number: u16, allowed: &'static str) -> NcError {
+        let (axis, value) = ("work offset".into(), f64::from(number));
+        NcError::NumberRange { block: self.block, axis, value, allowed }
     }
 
     /// A whole line.

@@ -139,6 +139,50 @@ pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written
                 out.push_format(format_args!("T{number} M6"));
                 out.end_line()?;
             }
+            Block::LengthOffset(length) => {
+                match length {
+                    Some(length) => out.push_format(format_args!("G43 H{length}")),
+                    None => out.push("G49"),
+                }
+                out.end_line()?;
+                out.loose_all();
+                keeper.places = Targets::NONE;
+            }
+            Block::WorkOffset(number) => {
+                match number {
+                    1..=6 => out.push_format(format_args!("G{}", 53 + number)),
+                    7..=9 => out.push_format(format_args!("G59.{}", number - 6)),
+                    _ => return Err(out.no_such_offset(*number, "1 to 9: G54 to G59, G59.1 to G59.3")),
+                }
+                out.end_line()?;
+                out.loose_all();
+                keeper.places = Targets::NONE;
+            }
+            Block::Probe(motion) => {
+                let place = letter_number(&out, motion.axis)?;
+                out.probe("G38.2", motion)?;
+                out.push_format(format_args!("#{}=#{}", KEPT + u32::from(motion.slot), PROBED + place));
+                out.end_line()?;
+                keeper.places = Targets::NONE;
+            }
+            Block::ShiftOffset(shift) => {
+                let place = letter_number(&out, shift.axis)?;
+                if shift.number > 9 {
+                    return Err(out.no_such_offset(shift.number, "1 to 9: G54 to G59, G59.1 to G59.3"));
+                }
+                let offset = OFFSETS + 20 * (u32::from(shift.number) - 1) + place;
+                let [first, second] = shift.slots.map(|slot| KEPT + u32::from(slot));
+                let letter = out.axes[shift.axis].address.clone();
+                out.push_format(format_args!(
+                    "G10 L2 P{} {letter}[#{offset}+[#{first}+#{second}]/2-[",
+                    shift.number
+                ));
+                out.axis_value(shift.axis, shift.middle);
+                out.push_line("]]")?;
+                out.loose_all();
+                keeper.places = Targets::NONE;
+            }
+            Block::Coolant(coolant) => out.coolant(*coolant)?,
             Block::TipControlOn(_) | Block::TipControlOff | Block::Tip(_) | Block::TipSpeed(_) => {
                 return Err(NcError::TipControlNotAvailable { block: out.block });
             }
@@ -148,6 +192,22 @@ pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written
     written.hal = netlist;
     written.warnings = keeper.warnings();
     Ok(written)
+}
+
+/// Parameters of kept places, of the place at which a probe touched and of the first work offset, each before its first.
+const KEPT: u32 = 100;
+const PROBED: u32 = 5060;
+const OFFSETS: u32 = 5220;
+
+/// Which of X Y Z A B C U V W an axis is, from 1.
+fn letter_number(out: &Lines<'_>, axis: usize) -> Result<u32, NcError> {
+    let address = &out.axes[axis].address;
+    let place = "XYZABCUVW".find(&**address).map(|place| place as u32 + 1);
+    place.ok_or_else(|| NcError::AxisNotAvailable {
+        axis: out.program.axes()[axis].name.as_str().into(),
+        word: address.clone(),
+        allowed: "X Y Z A B C U V W",
+    })
 }
 
 /// The first spindle needs no word.

@@ -4,8 +4,8 @@
 use super::lines::{Lines, PLAIN_DECIMALS, per_minute};
 use super::number::push_significant;
 use super::unconfirmed::{
-    SIEMENS_BLOCK_CHANGE, SIEMENS_LEADER_TYPE, SIEMENS_LINE, SIEMENS_OUTPUT, SIEMENS_PREAMBLE,
-    SIEMENS_SPLINE_END, SIEMENS_TABLE_FEED, SIEMENS_TOOL_CHANGE,
+    SIEMENS_BLOCK_CHANGE, SIEMENS_KEPT, SIEMENS_LEADER_TYPE, SIEMENS_LINE, SIEMENS_NO_TOUCH, SIEMENS_OUTPUT,
+    SIEMENS_PREAMBLE, SIEMENS_PROBE, SIEMENS_SPLINE_END, SIEMENS_TABLE_FEED, SIEMENS_TOOL_CHANGE,
 };
 use super::{WriteOptions, Written};
 use crate::{
@@ -31,7 +31,8 @@ pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written
         Word::Named(name) => Some(name.clone()),
         Word::Spindle(spindle) => Some(format!("S{}", u16::from(*spindle) + 1)),
     })?;
-    let mut writer = Siemens { out, places: Targets::NONE, gears: [None; MAXIMUM_AXES], spindles: 0 };
+    let mut writer =
+        Siemens { out, places: Targets::NONE, gears: [None; MAXIMUM_AXES], spindles: 0, edge: None };
     writer.program()?;
     Ok(writer.out.finish())
 }
@@ -49,6 +50,8 @@ struct Siemens<'a> {
     places: Targets,
     gears: [Option<&'a Gear>; MAXIMUM_AXES],
     spindles: u8,
+    /// The edge of the tool, whose length tip control adds.
+    edge: Option<u32>,
 }
 
 impl Siemens<'_> {
@@ -98,15 +101,59 @@ impl Siemens<'_> {
                 Block::GearOff { follower } => self.gear_call("EGOFS", *follower)?,
                 Block::Table(table) => self.table(table)?,
                 Block::Tool { number, length_offset } => {
-                    self.out.push_format(format_args!("T{number}"));
-                    if let Some(offset) = length_offset {
-                        self.out.push_format(format_args!(" D{offset}"));
-                    }
+                    self.edge = *length_offset;
+                    // Without a D the control takes one by itself, and adds its length to axis values.
+                    self.out.push_format(format_args!("T{number} D0"));
                     self.out.push_line(SIEMENS_TOOL_CHANGE)?;
                 }
+                Block::LengthOffset(offset) => {
+                    self.edge_line(*offset)?;
+                    self.out.loose_all();
+                    self.places = Targets::NONE;
+                }
+                Block::WorkOffset(number) => {
+                    match number {
+                        1..=4 => self.out.push_format(format_args!("G{}", 53 + number)),
+                        5..=99 => self.out.push_format(format_args!("G{}", 500 + number)),
+                        _ => {
+                            return Err(self
+                                .out
+                                .no_such_offset(*number, "1 to 99: G54 to G57, G505 to G599"));
+                        }
+                    }
+                    self.out.end_line()?;
+                    self.out.loose_all();
+                    self.places = Targets::NONE;
+                }
+                Block::Probe(motion) => {
+                    self.out.probe(SIEMENS_PROBE, motion)?;
+                    self.out.push_line(SIEMENS_NO_TOUCH)?;
+                    let address = self.out.axes[motion.axis].address.clone();
+                    let kept = SIEMENS_KEPT + u16::from(motion.slot);
+                    self.out.push_format(format_args!("R{kept}=$AA_MW[{address}]"));
+                    self.out.end_line()?;
+                    self.places = Targets::NONE;
+                }
+                Block::ShiftOffset(shift) => {
+                    if shift.number > 99 {
+                        return Err(self
+                            .out
+                            .no_such_offset(shift.number, "1 to 99: G54 to G57, G505 to G599"));
+                    }
+                    let address = self.out.axes[shift.axis].address.clone();
+                    let [first, second] = shift.slots.map(|slot| SIEMENS_KEPT + u16::from(slot));
+                    let frame = format!("$P_UIFR[{},{address},TR]", shift.number);
+                    self.out.push_format(format_args!("{frame}={frame}+(R{first}+R{second})/2-("));
+                    self.out.axis_value(shift.axis, shift.middle);
+                    self.out.push_line(")")?;
+                    self.out.loose_all();
+                    self.places = Targets::NONE;
+                }
+                Block::Coolant(coolant) => self.out.coolant(*coolant)?,
                 Block::TipControlOn(control) => self.tip_control(*control)?,
                 Block::TipControlOff => {
                     self.out.push_line("TRAFOOF")?;
+                    self.edge_line(None)?;
                     self.out.loose_all();
                     self.places = Targets::NONE;
                 }
@@ -127,11 +174,18 @@ impl Siemens<'_> {
                 allowed: "addresses other than A3, B3 and C3, which are directions under TRAORI",
             });
         }
+        self.edge_line(self.edge)?;
         self.out.push_line("TRAORI")?;
         self.out.push_line(match control {
             TipControl::Directions => "ORIWKS",
             TipControl::Angles => "ORIMKS",
         })
+    }
+
+    /// The edge whose length the control adds, in a line of its own.
+    fn edge_line(&mut self, edge: Option<u32>) -> Result<(), NcError> {
+        self.out.push_format(format_args!("D{}", edge.unwrap_or_default()));
+        self.out.end_line()
     }
 
     fn end(&mut self) -> Result<(), NcError> {

@@ -22,6 +22,23 @@ pub(super) const SIEMENS_OUTPUT: &str = "WHEN TRUE DO ";
 /// Siemens: what changes the tool that T has named, after D with its offset.
 pub(super) const SIEMENS_TOOL_CHANGE: &str = " M6";
 
+/// Siemens: a motion that a probe at the first input ends.
+pub(super) const SIEMENS_PROBE: &str = "MEAS=1 G1";
+/// Siemens: an alarm of the user where the probe has touched nothing, after the control has waited for the motion.
+pub(super) const SIEMENS_NO_TOUCH: &str = "STOPRE\nIF $AC_MEA[1]==0\nSETAL(65000)\nENDIF";
+/// Siemens: R parameters of kept places, before the first.
+pub(super) const SIEMENS_KEPT: u16 = 100;
+
+/// Fanuc: variables of kept places, before the first.
+pub(super) const FANUC_KEPT: u16 = 100;
+/// Fanuc: variable of the skip position of the first axis; axes follow in the order of the machine description.
+pub(super) const FANUC_SKIP_POSITION: usize = 5061;
+/// Fanuc: variables of the first axis in G54, and in G54.1 P1; twenty for each offset.
+pub(super) const FANUC_OFFSETS: usize = 5221;
+pub(super) const FANUC_MORE_OFFSETS: usize = 7001;
+/// Fanuc: an alarm where the skip position is the end of the block.
+pub(super) const FANUC_NO_TOUCH: &str = "]]LT0.0005]THEN#3000=101(NO TOUCH)";
+
 /// Fanuc: metric, absolute, plane, no radius and length compensation, no cycle.
 pub(super) const FANUC_PREAMBLE: &str = "G21 G90 G17 G40 G49 G80";
 /// Fanuc: contour mode on, alone in its block.

@@ -25,6 +25,22 @@ pub struct MandrelCalibration {
     #[serde(default)]
     #[schemars(extend("minimum" = 0, "maximum" = 1000, "x-way-out" = "give the standard deviation in micrometres"))]
     pub noise_um: f64,
+    /// From the spindle's origin to the lower face of the mandrel, along the spindle axis; default `machine.tool_length`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = -2000, "maximum" = 2000, "x-way-out" = "give the distance from the spindle's origin to the mandrel's lower face in mm"))]
+    pub mandrel_length: Option<f64>,
+    /// Turns of the spindle, evenly spaced from 0, at which the mandrel is driven into the beam: 2 and more average its run-out.
+    #[serde(default = "default_positions")]
+    #[schemars(extend("minimum" = 1, "maximum" = 36, "x-way-out" = "give the number of spindle positions: 1, or 2 (0 and 180 degrees) to average the run-out"))]
+    pub spindle_positions: usize,
+    /// Speed of the mandrel towards the beam and through it, mm/min.
+    #[serde(default = "default_speed")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 10_000, "x-way-out" = "give the speed in mm/min; 60 is the default"))]
+    pub speed_mm_per_min: f64,
+    /// How far the beam may be from where it is given: the approaches begin so far before the switch and end so far behind it.
+    #[serde(default = "default_reach")]
+    #[schemars(extend("minimum" = 0.1, "maximum" = 100, "x-way-out" = "give the distance in mm; 3 is the default"))]
+    pub reach: f64,
     /// Places of the mandrel at which the beam switched: at each height two along Y and one along X, or more.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(extend("maxItems" = 1000))]
@@ -49,6 +65,18 @@ pub enum CalibrationMove {
     X,
     /// Y.
     Y,
+}
+
+fn default_positions() -> usize {
+    1
+}
+
+fn default_speed() -> f64 {
+    60.0
+}
+
+fn default_reach() -> f64 {
+    3.0
 }
 
 fn heights_schema(_: &mut SchemaGenerator) -> Schema {

@@ -1,7 +1,7 @@
 //! Contradictions between entries of a job of measuring a skiving tool that are each in range. Knows the job, no geometry beyond the
 //! order of sizes.
 
-use super::{RakeForm, Senses, SkivingJob};
+use super::{MachineSetting, RakeForm, Senses, SkivingJob, ToolKinematics};
 use crate::history::{MOMENT, is_moment};
 use job::checks::{contradiction, drawing, name, not_yet};
 use job::{Diagnostic, Problem, shown_number};
@@ -14,9 +14,14 @@ pub(crate) fn check(job: &SkivingJob) -> Vec<Diagnostic> {
     workpiece(job, &mut findings);
     rake(job, &mut findings);
     edge(job, &mut findings);
+    shaping(job, &mut findings);
+    beam(job, &mut findings);
     measuring(job, &mut findings);
     tool_errors(job, &mut findings);
     calibration(job, &mut findings);
+    carrier(job, &mut findings);
+    workpiece_probe(job, &mut findings);
+    runout(job, &mut findings);
     teeth_of_stylus(job, &mut findings);
     uses(job, &mut findings);
     findings
@@ -59,13 +64,34 @@ fn edge(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
 
 fn rake(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
     let rake = &job.skiving_tool.rake;
-    if rake.form != RakeForm::Plane && rake.step_angle_deg != 0.0 {
+    let by_tooth = matches!(rake.form, RakeForm::Plane | RakeForm::Variable);
+    if !by_tooth && rake.step_angle_deg != 0.0 {
         findings.push(contradiction(
-            "only planes are ground tooth by tooth with a step",
+            "only planes and variable faces are ground tooth by tooth with a step",
             "skiving_tool.rake.step_angle_deg",
             shown_number(rake.step_angle_deg),
             "0 beside form = \"cone\" or \"sphere\"",
             "leave the step angle out, or give form = \"plane\"",
+        ));
+    }
+    for (key, change) in rake.changes() {
+        if rake.form != RakeForm::Variable && change != 0.0 {
+            findings.push(contradiction(
+                "only a variable rake face changes its angle over the tooth",
+                format!("skiving_tool.rake.{key}"),
+                shown_number(change),
+                "no key but beside form = \"variable\"",
+                "leave the change out, or give form = \"variable\"",
+            ));
+        }
+    }
+    if rake.form == RakeForm::Variable && rake.changes().iter().all(|(_, change)| *change == 0.0) {
+        findings.push(contradiction(
+            "a variable rake face that does not change is a plane",
+            "skiving_tool.rake.form",
+            "\"variable\"".into(),
+            "\"variable\" beside a change over the tooth",
+            "give one of height_deg_per_mm, height_deg_per_mm2, hollow_deg_per_mm, twist_deg_per_mm, or form = \"plane\"",
         ));
     }
     if rake.form == RakeForm::Sphere && rake.angle_deg <= 0.0 {
@@ -75,6 +101,81 @@ fn rake(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
             shown_number(rake.angle_deg),
             "> 0 beside form = \"sphere\"",
             "give a rake angle above 0, or another form",
+        ));
+    }
+}
+
+fn shaping(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
+    if job.skiving.kinematics != ToolKinematics::Shaping {
+        return;
+    }
+    if let Some(angle) = job.skiving.crossed_axes_angle_deg.filter(|angle| *angle != 0.0) {
+        findings.push(contradiction(
+            "the axis of a shaping cutter is parallel to the workpiece's",
+            "skiving.crossed_axes_angle_deg",
+            shown_number(angle),
+            "0, or no key, beside kinematics = \"shaping\"",
+            "leave the crossed-axes angle out, or let the tool skive",
+        ));
+    }
+    let settings = &job.evaluation.settings;
+    if let Some(number) = settings.iter().position(|one| *one == MachineSetting::CrossedAxesAngle) {
+        findings.push(contradiction(
+            "a shaping machine has no crossed-axes angle that a correction could change",
+            format!("evaluation.settings[{number}]"),
+            "\"crossed-axes-angle\"".into(),
+            "\"centre-distance\", \"tool-angle\", \"tool-shift\" beside kinematics = \"shaping\"",
+            "give settings = [\"centre-distance\", \"tool-angle\"]",
+        ));
+    }
+}
+
+/// Tilt beyond which an upright mandrel does not tell where a beam lies, degrees.
+const STEEPEST: f64 = 60.0;
+
+fn beam(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
+    let barrier = &job.light_barrier;
+    let vector =
+        |[x, y, z]: [f64; 3]| format!("[{}, {}, {}]", shown_number(x), shown_number(y), shown_number(z));
+    if let Some(direction) = barrier.direction {
+        if direction == [0.0; 3] {
+            findings.push(contradiction(
+                "the beam has no direction",
+                "light_barrier.direction",
+                vector(direction),
+                "a vector that is not 0",
+                "give x, y, z of a vector along the beam, or the tilts of a beam that rises",
+            ));
+            return;
+        }
+        for (key, tilt) in [("tilt_x_deg", barrier.tilt_x_deg), ("tilt_y_deg", barrier.tilt_y_deg)] {
+            if tilt != 0.0 {
+                findings.push(contradiction(
+                    "the direction of the beam is given twice",
+                    format!("light_barrier.{key}"),
+                    shown_number(tilt),
+                    "no key beside `direction`",
+                    "leave the tilt or `direction` out",
+                ));
+            }
+        }
+    }
+    let steep = match barrier.tilts_deg() {
+        Some(tilts) => tilts.into_iter().any(|tilt| tilt.abs() > STEEPEST),
+        None => true,
+    };
+    if steep && job.calibration.is_some() {
+        let (key, value) = match barrier.direction {
+            Some(direction) => ("direction", vector(direction)),
+            None if barrier.tilt_x_deg.abs() > STEEPEST => ("tilt_x_deg", shown_number(barrier.tilt_x_deg)),
+            None => ("tilt_y_deg", shown_number(barrier.tilt_y_deg)),
+        };
+        findings.push(contradiction(
+            "an upright mandrel does not calibrate a beam that lies down",
+            format!("light_barrier.{key}"),
+            value,
+            "a beam that rises, tilted by 60 deg at most, beside [calibration]",
+            "leave [calibration] out, and give point and direction as they were measured otherwise",
         ));
     }
 }
@@ -204,6 +305,16 @@ fn calibration(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
         ),
         _ => {}
     }
+    // Driven in along X it must still be dark where the approach ends.
+    if given.reach > given.radius {
+        findings.push(contradiction(
+            "the mandrel would be driven through the beam where it is to end in it",
+            "calibration.reach",
+            shown_number(given.reach),
+            &format!("at most the radius of the mandrel, {}", shown_number(given.radius)),
+            "take a thicker mandrel, or give the beam more closely and a smaller reach",
+        ));
+    }
     if (1..5).contains(&switches) {
         findings.push(contradiction(
             "a beam has five unknowns",
@@ -211,6 +322,87 @@ fn calibration(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
             format!("{switches} entries"),
             "none, or 5 and more",
             "give all switches of the calibration: at each height two along Y and one along X",
+        ));
+    }
+}
+
+fn workpiece_probe(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
+    let Some(given) = &job.workpiece_probe else { return };
+    let gaps = job.gear.teeth.unsigned_abs() as usize;
+    for (k, gap) in given.gaps.iter().enumerate().filter(|(_, gap)| **gap >= gaps) {
+        findings.push(contradiction(
+            "the workpiece has no such tooth space",
+            format!("workpiece_probe.gaps[{k}]"),
+            gap.to_string(),
+            &format!("0 to {}", gaps.saturating_sub(1)),
+            "tooth spaces count from 0",
+        ));
+    }
+    if let (Some(file), Some(_)) = (&given.readings, &given.setting_errors) {
+        findings.push(contradiction(
+            "values of a real workpiece stand beside errors of a machine that is simulated",
+            "workpiece_probe.readings",
+            format!("{file:?}"),
+            "`readings` or `setting_errors`",
+            "leave one of the keys out",
+        ));
+    }
+    if given.height.abs() > 0.5 * job.gear.face_width {
+        findings.push(contradiction(
+            "the probe would scan beside the face",
+            "workpiece_probe.height",
+            shown_number(given.height),
+            &format!("-{0} to {0}, half of the face width", shown_number(0.5 * job.gear.face_width)),
+            "give a place within the face, 0 in its middle",
+        ));
+    }
+}
+
+fn carrier(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
+    let Some(given) = job.machine.as_ref().and_then(|machine| machine.carrier.as_ref()) else { return };
+    let (turns, slides) = ([given.measuring_deg, given.parked_deg], [given.measuring, given.parked]);
+    let complete = |pair: [Option<f64>; 2]| pair.iter().all(Option::is_some);
+    let absent = |pair: [Option<f64>; 2]| pair.iter().all(Option::is_none);
+    if !((complete(turns) && absent(slides)) || (complete(slides) && absent(turns))) {
+        let count = turns.iter().chain(&slides).flatten().count();
+        findings.push(contradiction(
+            "a carrier has one place in which it measures and one in which it is parked",
+            "machine.carrier",
+            format!("{count} places"),
+            "measuring_deg and parked_deg, or measuring and parked",
+            "give both angles of a carrier that swivels, or both positions of one that slides",
+        ));
+    }
+}
+
+fn runout(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
+    let Some(given) = &job.runout else { return };
+    let teeth = job.skiving_tool.teeth as usize;
+    if 4 * given.orders > teeth {
+        findings.push(contradiction(
+            "the teeth do not tell so many orders",
+            "runout.orders",
+            given.orders.to_string(),
+            &format!("1 to {}, a quarter of the teeth", teeth / 4),
+            "give fewer orders; 1 answers an eccentric tool",
+        ));
+    }
+    if given.stroke.is_some() && job.skiving.kinematics == ToolKinematics::Shaping {
+        findings.push(contradiction(
+            "a shaping cutter makes no skiving stroke",
+            "runout.stroke",
+            "a table".into(),
+            "no key beside skiving.kinematics = \"shaping\"",
+            "leave `stroke` out; the law itself stands in the result",
+        ));
+    }
+    if given.stroke.is_some() && job.machine.is_none() {
+        findings.push(contradiction(
+            "a stroke is wanted as a program, and no machine is given",
+            "runout.stroke",
+            "a table".into(),
+            "no key, or a table [machine] with `file`",
+            "add `[machine]` and `output.programs`, or leave `stroke` out",
         ));
     }
 }

@@ -7,6 +7,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct SkivingSetting {
+    /// How both move: a skiving tool on crossed axes, or a shaping cutter on a parallel one.
+    #[serde(skip_serializing_if = "ToolKinematics::is_skiving")]
+    pub kinematics: ToolKinematics,
     /// z_V1: offset of the tool's datum face from the common normal.
     #[schemars(extend("minimum" = -500, "maximum" = 500, "x-way-out" = "give the offset of the datum face in mm, 0 in the central plane"))]
     pub tool_shift: f64,
@@ -18,4 +21,22 @@ pub struct SkivingSetting {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = -90, "exclusiveMaximum" = 90, "x-way-out" = "give the crossed-axes angle in degrees, or leave it out"))]
     pub crossed_axes_angle_deg: Option<f64>,
+}
+
+/// How tool and workpiece move.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum ToolKinematics {
+    /// Crossed axes: the edge cuts on its way through the space while the tool turns.
+    #[default]
+    Skiving,
+    /// Parallel axes: the cutter cuts along its axis, stroke by stroke, while both roll on each other.
+    Shaping,
+}
+
+impl ToolKinematics {
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
+    fn is_skiving(&self) -> bool {
+        *self == Self::Skiving
+    }
 }

@@ -43,6 +43,40 @@ pub struct Rake {
     #[serde(default)]
     #[schemars(extend("exclusiveMinimum" = -60, "exclusiveMaximum" = 60, "x-way-out" = "give the step angle in degrees, usually the helix angle of the tool; 0 without steps"))]
     pub step_angle_deg: f64,
+    /// Change of the slope up the tooth against its plane at the pitch point, degrees per mm of height, > 0: more rake towards the tip.
+    /// This and the three below: of a `"variable"` face only, default 0.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    #[schemars(extend("minimum" = -20, "maximum" = 20, "x-way-out" = "give the change in degrees per mm of height, or leave it out"))]
+    pub height_deg_per_mm: f64,
+    /// The same per square millimetre.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    #[schemars(extend("minimum" = -10, "maximum" = 10, "x-way-out" = "give the change in degrees per square millimetre of height, or leave it out"))]
+    pub height_deg_per_mm2: f64,
+    /// Change of the slope across the tooth, degrees per mm from its middle, > 0: hollow, so that both edges gain rake.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    #[schemars(extend("minimum" = -20, "maximum" = 20, "x-way-out" = "give the change in degrees per mm from the middle of the tooth, or leave it out"))]
+    pub hollow_deg_per_mm: f64,
+    /// Change of the slope across the tooth, degrees per mm of height: one edge gains rake towards the tip, the other loses it.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    #[schemars(extend("minimum" = -20, "maximum" = 20, "x-way-out" = "give the change in degrees per mm of height, or leave it out"))]
+    pub twist_deg_per_mm: f64,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
+}
+
+impl Rake {
+    /// Keys and values of the change over the tooth.
+    pub(crate) fn changes(&self) -> [(&'static str, f64); 4] {
+        [
+            ("height_deg_per_mm", self.height_deg_per_mm),
+            ("height_deg_per_mm2", self.height_deg_per_mm2),
+            ("hollow_deg_per_mm", self.hollow_deg_per_mm),
+            ("twist_deg_per_mm", self.twist_deg_per_mm),
+        ]
+    }
 }
 
 /// Forms of rake faces.
@@ -55,6 +89,8 @@ pub enum RakeForm {
     Cone,
     /// One hollow sphere for all teeth, as a cup wheel grinds it.
     Sphere,
+    /// A face for every tooth whose rake angle changes over the tooth.
+    Variable,
 }
 
 /// A chamfer on the rake face.

@@ -14,11 +14,11 @@ pub struct Stylus {
     pub point: [f64; 3],
     /// Tilt in the X-Z plane, degrees.
     #[serde(default)]
-    #[schemars(extend("minimum" = -45, "maximum" = 45, "x-way-out" = "give the tilt in degrees, 0 for an upright stylus"))]
+    #[schemars(extend("exclusiveMinimum" = -90, "exclusiveMaximum" = 90, "x-way-out" = "give the tilt in degrees, 0 for an upright stylus"))]
     pub tilt_x_deg: f64,
     /// Tilt in the Y-Z plane, degrees.
     #[serde(default)]
-    #[schemars(extend("minimum" = -45, "maximum" = 45, "x-way-out" = "give the tilt in degrees, 0 for an upright stylus"))]
+    #[schemars(extend("exclusiveMinimum" = -90, "exclusiveMaximum" = 90, "x-way-out" = "give the tilt in degrees, 0 for an upright stylus"))]
     pub tilt_y_deg: f64,
     /// r_T: its radius.
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 50, "x-way-out" = "give the radius of the stylus in mm"))]

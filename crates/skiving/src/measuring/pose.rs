@@ -47,14 +47,10 @@ impl MeasuringPose {
         let to_machine = |v: &Vector3<f64>| swivelled(swivel, &turned(turn, v));
         let (m, n) = (to_machine(&track.contact.point), to_machine(normal));
         let (l, at, radius) = (&beam.direction, &beam.point, beam.radius);
-        // The height of the contact is that of the beam's point; the axis of the beam passes it at the radius along the normal.
+        // The contact lies in the beam's level; the axis of the beam passes it at the radius along the normal.
         let unit = beam.unit();
-        let along = radius * n.z / unit.z;
-        let position = Vector3::new(
-            at.x + along * unit.x - m.x - radius * n.x,
-            at.y + along * unit.y - m.y - radius * n.y,
-            at.z - m.z,
-        );
+        let along = radius * n.dot(&beam.level) / unit.dot(&beam.level);
+        let position = at + unit * along - m - n * radius;
         let beam_in_tool = turned(-turn, &swivelled(-swivel, &l.normalize()));
         let off_flank = angle_between(&beam_in_tool, &track.contact.flank_direction);
         Self { swivel, turn: wrapped_angle(turn), position, off_flank, beam_in_tool }
@@ -87,7 +83,9 @@ pub fn measuring_poses(
             .ok_or_else(|| SkivingError::PoseNotReachable {
                 flank,
                 track: number,
-                reason: "the beam is tilted more than the edge's normal leans from it".into(),
+                reason: "the beam is tilted out of the Y-Z plane by more than the edge's normal leans from it; poses along the flank turn \
+                         the tool to it"
+                    .into(),
             }),
         PoseKind::AlongFlank => {
             let g = &track.contact.flank_direction;

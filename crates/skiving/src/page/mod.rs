@@ -12,9 +12,11 @@ mod measured;
 mod monte_carlo;
 mod pitch;
 mod poses;
+mod probe;
 mod profile;
 mod programs;
 mod regrinding;
+mod runout;
 mod sheets;
 mod spread;
 mod strip;
@@ -55,6 +57,12 @@ pub fn page(outcome: &SkivingOutcome, files: &[(String, &'static str)]) -> Resul
         Section::new("measuring-poses", "Measuring poses", poses::blocks(&result.tracks)?),
         Section::new("profile-of-the-workpiece", "Profile of the workpiece", profile::blocks(result)?),
         Section::new("corrections", "Corrections", corrections::blocks(outcome)?),
+        Section::new("measured-workpiece", "Measured workpiece", probe::blocks(result.probe.as_ref())?),
+        Section::new(
+            "run-out-correction",
+            "Correction of the run-out",
+            runout::blocks(result.runout.as_ref())?,
+        ),
         Section::new(
             "comparison-with-the-conventional-method",
             "Comparison with the conventional method",

@@ -26,6 +26,9 @@ pub fn failure(error: &SkivingError) -> RunFailure {
         SkivingError::AxesParallel { angle } => {
             finding.value(angle.to_degrees()).allowed("an angle that is not 0")
         }
+        SkivingError::AxesCrossed { tool, needed, .. } => {
+            finding.value(tool.to_degrees()).allowed(format!("{:.6}", needed.to_degrees()))
+        }
         SkivingError::LeverTooSmall { lever, .. } => finding.value(lever).allowed("0.1 mm/rad and more"),
         _ => finding,
     };
@@ -48,6 +51,7 @@ fn field(error: &SkivingError) -> String {
         SkivingError::AxesParallel { .. } | SkivingError::CuttingDirectionAmbiguous { .. } => {
             "skiving.crossed_axes_angle_deg"
         }
+        SkivingError::AxesCrossed { .. } => "skiving_tool.helix_angle_deg",
         SkivingError::InvalidCentreDistance { .. } => "skiving.centre_distance",
         SkivingError::LeadModificationNotSupported { .. } => "target.modifications",
         SkivingError::NoContact { .. } => "skiving_tool.rake",
@@ -83,6 +87,7 @@ fn of_number(field: &str) -> &'static str {
         "beam.x" | "beam.y" | "beam.z" => "light_barrier.point",
         "beam.tilt_x_deg" => "light_barrier.tilt_x_deg",
         "beam.tilt_y_deg" => "light_barrier.tilt_y_deg",
+        "beam.direction" => "light_barrier.direction",
         "beam.radius" => "light_barrier.radius",
         "track_places" => "measuring.tracks",
         "band_um" => "evaluation.band_um",
@@ -93,6 +98,7 @@ fn of_number(field: &str) -> &'static str {
         "scan.places" => "stylus.places",
         "tool.teeth" => "skiving_tool.teeth",
         "real_tool" => "tool_errors",
+        "runout.orders" => "runout.orders",
         _ => "job",
     }
 }

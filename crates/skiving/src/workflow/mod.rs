@@ -11,6 +11,7 @@ mod model;
 mod monte_carlo;
 mod outcome;
 pub mod prepare;
+mod probe;
 mod program_work;
 pub mod programs;
 mod readings_file;
@@ -20,6 +21,7 @@ mod remarks;
 mod resharpening;
 mod result;
 pub mod run;
+mod runout;
 mod scan;
 pub mod scene;
 mod summary;
@@ -31,6 +33,7 @@ pub use check::SkivingCheck;
 pub use measurement::{Measurement, Taken};
 pub use model::MeasuringModel;
 pub use prepare::{PreparedSkiving, SkivingBodies, prepare_skiving};
+pub use probe::Probed;
 pub use resharpening::{
     BrokenEdge, DecidingCause, DecidingEdge, EdgeResharpening, Resharpening, ToothResharpening, WithoutBroken,
 };

@@ -265,7 +265,11 @@ fn profile(bodies: &SkivingBodies, evaluation: &Evaluation) -> ProfileResult {
     }
 }
 
-fn correction(bodies: &SkivingBodies, fit: &SettingFit, before: &Sides<Vec<f64>>) -> CorrectionResult {
+pub(super) fn correction(
+    bodies: &SkivingBodies,
+    fit: &SettingFit,
+    before: &Sides<Vec<f64>>,
+) -> CorrectionResult {
     let [distance, angle, shift, turn] = fit.change;
     let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
     let mut before = before.iter().flat_map(|(_, of)| of.iter().copied());

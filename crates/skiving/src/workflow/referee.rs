@@ -3,6 +3,7 @@
 use super::measurement::Measurement;
 use super::prepare::SkivingBodies;
 use crate::measuring::RealTool;
+use crate::runout::{PeriodicLaw, angle_of};
 use crate::{EdgePiece, MeasuringTrack, VirtualEdge};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::SkivingMotion;
@@ -24,7 +25,10 @@ const PITCHES: f64 = 1.25;
 const SEAM: f64 = 1e-9;
 const BESIDE: f64 = 0.05;
 
-/// What a tool leaves with a motion, clocked by an angle.
+/// What is added to centre distance, mm, and angle of the workpiece, rad, at an angle of the tool.
+pub(super) type Law<'a> = dyn Fn(f64) -> [f64; 2] + Sync + 'a;
+
+/// What a tool leaves with a motion and a law beside it, clocked by an angle.
 ///
 /// # Errors
 /// [`RunFailure`] where no part of an edge comes by.
@@ -32,7 +36,22 @@ pub(super) fn skived(
     bodies: &SkivingBodies,
     tool: &RealTool,
     clocking: f64,
-    motion: &SkivingMotion,
+    moved: (&SkivingMotion, Option<&Law<'_>>),
+    progress: &dyn Progress,
+) -> Result<Left, RunFailure> {
+    let lengths = Sides::from_fn(|flank| lengths(bodies, flank));
+    skived_at(bodies, (tool, clocking), moved, &lengths, progress)
+}
+
+/// The same at lengths of roll of one's own.
+///
+/// # Errors
+/// As [`skived`].
+pub(super) fn skived_at(
+    bodies: &SkivingBodies,
+    (tool, clocking): (&RealTool, f64),
+    (motion, law): (&SkivingMotion, Option<&Law<'_>>),
+    lengths: &Sides<Vec<f64>>,
     progress: &dyn Progress,
 ) -> Result<Left, RunFailure> {
     let teeth = tool.teeth();
@@ -40,7 +59,7 @@ pub(super) fn skived(
     let passing = LEAST_PASSING.max(PITCHES * TAU / teeth as f64);
     let left = Sides::try_from_fn(|flank| {
         let edge = &bodies.edges[flank];
-        let lengths = lengths(bodies, flank);
+        let lengths = &lengths[flank];
         let mut of_tracks = vec![Vec::with_capacity(teeth); lengths.len()];
         for tooth in 0..teeth {
             let ball = |w: f64| ball(edge, tool, tooth, clocking, w);
@@ -52,7 +71,10 @@ pub(super) fn skived(
                 if wanted.is_empty() {
                     continue;
                 }
+                // The law goes by the angle of the tool; balls are those of the tooth turned to where tooth 0 stands.
+                let of_tooth = law.map(|law| move |angle: f64| law(angle_of(angle, tooth, teeth)));
                 let skiving = Skiving {
+                    law: of_tooth.as_ref().map(|law| law as &(dyn Fn(f64) -> [f64; 2] + Sync)),
                     flank: edge.flank().helicoid().flank(),
                     motion,
                     edge: &ball,
@@ -68,7 +90,7 @@ pub(super) fn skived(
                     least[k] = least[k].into_iter().chain(left).reduce(f64::min);
                 }
             }
-            for ((of_track, left), w) in of_tracks.iter_mut().zip(least).zip(&lengths) {
+            for ((of_track, left), w) in of_tracks.iter_mut().zip(least).zip(lengths) {
                 of_track.push(left.ok_or_else(|| not_cut(flank, tooth, *w))?);
             }
             progress.advance(1);
@@ -119,22 +141,25 @@ pub(super) struct UnderReferee {
 pub(super) fn of_measurement(
     bodies: &SkivingBodies,
     measurement: Option<&Measurement>,
+    law: Option<&PeriodicLaw>,
     progress: &dyn Progress,
 ) -> Result<UnderReferee, RunFailure> {
     let motion = bodies.pair.motion();
     let Some(measurement) = measurement else {
-        let now = skived(bodies, &RealTool::ideal(bodies.teeth()), 0.0, motion, progress)?;
+        let now = skived(bodies, &RealTool::ideal(bodies.teeth()), 0.0, (motion, None), progress)?;
         return Ok(UnderReferee { now, corrected: None });
     };
     let (tool, clocking) = (&measurement.cutting, measurement.cutting_clocking);
-    let now = skived(bodies, tool, clocking, motion, progress)?;
+    let now = skived(bodies, tool, clocking, (motion, None), progress)?;
     let other = corrected(motion, &measurement.correction.change);
-    let corrected = Some(skived(bodies, tool, clocking, &other, progress)?);
+    let law = law.map(|law| |angle: f64| law.at(angle));
+    let law = law.as_ref().map(|law| law as &Law<'_>);
+    let corrected = Some(skived(bodies, tool, clocking, (&other, law), progress)?);
     Ok(UnderReferee { now, corrected })
 }
 
 /// The motion after a change of [d, gamma, z_V1, phi_1]; the coupling stays where it was, the tool is turned against it.
-fn corrected(motion: &SkivingMotion, change: &[f64; 4]) -> SkivingMotion {
+pub(super) fn corrected(motion: &SkivingMotion, change: &[f64; 4]) -> SkivingMotion {
     let [distance, angle, shift, turn] = *change;
     SkivingMotion {
         centre_distance: motion.centre_distance + distance,

@@ -115,7 +115,9 @@ fn of_calibration(
 ) {
     let found = &calibration.result;
     let away = (found.point_mm[0] - given.point[0]).hypot(found.point_mm[1] - given.point[1]);
-    let turned = (found.tilt_x_deg - given.tilt_x_deg).abs().max((found.tilt_y_deg - given.tilt_y_deg).abs());
+    // A beam that does not rise is not calibrated.
+    let [tilt_x, tilt_y] = given.tilts_deg().unwrap_or([0.0; 2]);
+    let turned = (found.tilt_x_deg - tilt_x).abs().max((found.tilt_y_deg - tilt_y).abs());
     if away > FAR[0] || turned > FAR[1] {
         let text = format!(
             "the calibrated beam lies {away:.3} mm and {turned:.3} deg from the one of [light_barrier]"

@@ -38,6 +38,12 @@ pub struct SkivingResult {
     /// The measured tool; absent where nothing was measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measurement: Option<MeasurementResult>,
+    /// The run-out of the tool answered by a law over its turn.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub runout: Option<RunoutResult>,
+    /// The machined workpiece under a probe.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub probe: Option<ProbeResult>,
     /// The usual way beside it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub conventional: Vec<ConventionalResult>,
@@ -75,7 +81,7 @@ pub struct SkivingSettings {
     pub tool_pitch_radius_mm: f64,
     /// h_c: depth of the rounding's centres below the rake face.
     pub rounding_depth_mm: f64,
-    /// Sense in which the tool must turn to cut, +1 or -1.
+    /// Sense in which the tool must turn to cut, +1 or -1; of a shaping cutter the sense of its stroke along its own axis.
     pub cutting_sense: f64,
 }
 
@@ -272,7 +278,7 @@ pub struct ToothOnFlank {
 }
 
 /// Change of the machine's setting.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct CorrectionResult {
     /// Of d; negative makes |d| of an internal gear larger.
     pub centre_distance_um: f64,
@@ -290,6 +296,54 @@ pub struct CorrectionResult {
     pub rms_um: [f64; 2],
     /// Largest deviation before and after.
     pub largest_um: [f64; 2],
+}
+
+/// The machined workpiece under a probe in the tool spindle.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
+pub struct ProbeResult {
+    /// Whether the measurement is simulated; else its values were read.
+    pub simulated: bool,
+    /// Profiles, by flank.
+    pub flanks: BTreeMap<&'static str, ProbedFlankResult>,
+    /// Change of the setting beside the one that the tool asked for.
+    pub correction: CorrectionResult,
+    /// Greatest difference between what the change promises and what it does under the referee, without the noise of the probe.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_difference_um: Option<f64>,
+}
+
+/// Profiles of one flank.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ProbedFlankResult {
+    /// Of every tooth space: length of roll, deviation from the target, and what the correction leaves of it, mm and um.
+    pub gaps: BTreeMap<String, Vec<[f64; 3]>>,
+    /// Largest deviation from the target.
+    pub largest_um: f64,
+    /// The same as the correction leaves it.
+    pub corrected_largest_um: f64,
+    /// The same under the referee; absent for a real workpiece.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corrected_simulated_um: Option<f64>,
+}
+
+/// A law over the turn of the tool that answers its run-out, by cosine and sine of each order of phi_1, which is 0 where tooth 0 stands
+/// on the common normal.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct RunoutResult {
+    /// Added to the centre distance; empty where it stays.
+    pub centre_distance_um: Vec<[f64; 2]>,
+    /// Added to the angle of the workpiece; empty where the coupling stays.
+    pub work_angle_deg: Vec<[f64; 2]>,
+    /// Greatest change of the centre distance.
+    pub centre_distance_amplitude_um: f64,
+    /// Greatest change of the workpiece's angle.
+    pub work_angle_amplitude_deg: f64,
+    /// Greatest range of what the teeth leave on a track, without and with the law, as predicted.
+    pub spread_um: [f64; 2],
+    /// The same under the referee.
+    pub simulated_spread_um: [f64; 2],
+    /// Greatest difference between prediction and referee of any tooth with law and correction, without the noise of readings.
+    pub model_difference_um: f64,
 }
 
 /// A track measured the usual way.

@@ -11,7 +11,7 @@ use super::remarks::{Findings, warnings};
 use super::result::SkivingResult;
 use super::scan::{Scan, scan};
 use super::verdict::{Judged, is_sound, verdict};
-use super::{conventional, history, monte_carlo, referee};
+use super::{conventional, history, monte_carlo, probe, referee, runout};
 use crate::job::LoadedSkivingJob;
 use crate::readings::read_skiving_readings;
 use foundation::numerics::Progress;
@@ -32,6 +32,8 @@ pub struct SkivingOutcome {
     pub measurement: Option<Measurement>,
     /// The scan of a stylus.
     pub scan: Option<Scan>,
+    /// The measured workpiece.
+    pub probed: Option<probe::Probed>,
     /// Measuring programs.
     pub programs: Vec<ToolProgram>,
     /// Whether tracks and poses are those of an edge that makes the flank: programs of others are written on request only.
@@ -154,7 +156,9 @@ fn carried_out(
     timing.insert("measurement", begun.elapsed().as_secs_f64());
 
     let begun = Instant::now();
-    let left = referee::of_measurement(bodies, measurement.as_ref(), progress)?;
+    let runout = runout::fitted(&prepared, measurement.as_ref())?;
+    let law = runout.as_ref().map(|fit| &fit.law);
+    let left = referee::of_measurement(bodies, measurement.as_ref(), law, progress)?;
     timing.insert("referee", begun.elapsed().as_secs_f64());
 
     let begun = Instant::now();
@@ -174,15 +178,30 @@ fn carried_out(
     }
 
     let begun = Instant::now();
-    let programs = programs(&prepared, scan.as_ref(), progress)?;
+    let probed = probe::probed(&prepared, measurement.as_ref(), law, progress)?;
+    if probed.is_some() {
+        timing.insert("probe", begun.elapsed().as_secs_f64());
+    }
+    let begun = Instant::now();
+    let stroke = runout::stroke(&prepared, measurement.as_ref(), runout.as_ref(), left.corrected.as_ref());
+    let programs = programs(&prepared, (scan.as_ref(), stroke.as_ref()), progress)?;
     if !programs.is_empty() {
         timing.insert("programs", begun.elapsed().as_secs_f64());
     }
 
     let flanks = flank_results(bodies, measurement.as_ref(), &left);
     let measured = measurement.as_ref().map(|m| measurement_result(bodies, m));
+    let answered = measurement
+        .as_ref()
+        .zip(runout.as_ref())
+        .map(|(measurement, fit)| runout::result(&prepared, measurement, fit, &left));
+    let of_runout = answered.as_ref().map(|found| ("run-out correction", found.model_difference_um));
+    let of_probe = probed
+        .as_ref()
+        .and_then(|probed| Some(("setting by the measured workpiece", probed.result.model_difference_um?)));
     let judged = Judged {
         prepared: &prepared,
+        promised: of_runout.into_iter().chain(of_probe).collect(),
         measured: measurement.as_ref().zip(measured.as_ref()),
         flanks: &flanks,
         programs: programs.iter().map(|program| program.file.clone()).collect(),
@@ -210,6 +229,8 @@ fn carried_out(
         tracks: track_results(bodies),
         measuring_time_s: measuring_time(&prepared, measurement.as_ref()),
         measurement: measured,
+        runout: answered,
+        probe: probed.as_ref().map(|probed| probed.result.clone()),
         conventional,
         scan: scan.as_ref().map(|scan| scan.result.clone()),
         calibration: bodies.calibration.as_ref().map(|calibration| calibration.result.clone()),
@@ -218,7 +239,7 @@ fn carried_out(
         programs: programs.iter().map(ToolProgram::result).collect(),
         timing_s: timing,
     };
-    Ok(SkivingOutcome { result, prepared, measurement, scan, programs, sound, history })
+    Ok(SkivingOutcome { result, prepared, measurement, scan, probed, programs, sound, history })
 }
 
 /// Time of all tracks of both flanks.

@@ -61,6 +61,26 @@ fn summary(result: &SkivingResult, written: &[PathBuf]) -> String {
             "  {name} flank of the workpiece: prediction within {mean:.4} um of the referee, tooth by tooth within {each:.4} um"
         );
     }
+    if let Some(found) = &result.runout {
+        let [before, after] = found.simulated_spread_um;
+        let _ = writeln!(
+            text,
+            "  run-out answered over the turn of the tool: the teeth differ by {after:.2} um in place of {before:.2} um under the referee, prediction within {:.4} um",
+            found.model_difference_um
+        );
+    }
+    if let Some(found) = &result.probe {
+        let largest = found.flanks.values().map(|of| of.largest_um).fold(0.0, f64::max);
+        let left =
+            found.flanks.values().map(|of| of.corrected_simulated_um.unwrap_or(of.corrected_largest_um));
+        let _ = writeln!(
+            text,
+            "  workpiece under the probe: {largest:.2} um off, {:.2} um after a further correction: centre distance {:.2} um, tool angle {:.5} deg",
+            left.fold(0.0, f64::max),
+            found.correction.centre_distance_um,
+            found.correction.tool_angle_deg
+        );
+    }
     let _ = writeln!(text, "  measuring takes {:.0} s", result.measuring_time_s);
     closing(&mut text, &result.verdict, &result.warnings, &result.timing_s, written);
     text

@@ -20,6 +20,8 @@ pub(super) struct Judged<'a> {
     pub prepared: &'a PreparedSkiving,
     pub measured: Option<(&'a Measurement, &'a MeasurementResult)>,
     pub flanks: &'a BTreeMap<&'static str, SkivedFlankResult>,
+    /// What corrections promise, with the greatest difference between prediction and referee, um.
+    pub promised: Vec<(&'static str, f64)>,
     /// Controls whose measuring programs were proven.
     pub programs: Vec<String>,
 }
@@ -36,6 +38,9 @@ pub(super) fn verdict(found: &Judged<'_>) -> Verdict {
         }
     }
     of_workpiece(found, &mut verdict);
+    for (item, difference) in &found.promised {
+        of_promise(item, *difference, found.prepared.tolerance_um, &mut verdict);
+    }
     match found.measured {
         Some((measurement, _)) => of_teeth(found, measurement, &mut verdict),
         None => {
@@ -50,7 +55,7 @@ pub(super) fn verdict(found: &Judged<'_>) -> Verdict {
     }
     for program in &found.programs {
         verdict.met(
-            format!("program for {program}: poses and turns"),
+            format!("program for {program}: {}", of_program(program)),
             "every measured point within its limits, from the text",
         );
     }
@@ -274,6 +279,19 @@ fn of_workpiece(found: &Judged<'_>, verdict: &mut Verdict) {
     }
 }
 
+/// A correction is judged by whether the referee leaves what was predicted of it.
+fn of_promise(item: &'static str, difference: f64, tolerance: f64, verdict: &mut Verdict) {
+    if agree(difference, tolerance) {
+        verdict.met(item.to_owned(), format!("prediction within {difference:.4} um of the simulation"));
+    } else {
+        let text = format!(
+            "prediction and simulation of the {item} differ by {difference:.3} um, more than a tenth of the tolerance of {tolerance} um"
+        );
+        let way_out = "correct a smaller error at a time, or widen the tolerance";
+        verdict.owe(item.to_owned(), Remark::new("models-disagree", text, way_out));
+    }
+}
+
 fn flank_named(name: &str) -> Flank {
     if name == Flank::Left.name() { Flank::Left } else { Flank::Right }
 }
@@ -323,6 +341,19 @@ fn of_teeth(found: &Judged<'_>, measurement: &Measurement, verdict: &mut Verdict
         );
         let way_out = "grind the tool again, or check `gear`, `skiving_tool` and the readings";
         verdict.owe("mounting and correction", Remark::new("too-many-broken", text, way_out));
+    }
+}
+
+/// What is proven of a program, by what it is for.
+fn of_program(file: &str) -> &'static str {
+    if file.contains("/calibration-") {
+        "ways and switches"
+    } else if file.contains("/workpiece-") {
+        "ball and flanks"
+    } else if file.contains("/skiving-") {
+        "coupling, law and flank"
+    } else {
+        "poses and turns"
     }
 }
 

@@ -3,6 +3,7 @@
 use super::run::SkivingOutcome;
 use super::tables;
 use crate::page::html_page;
+use crate::probe_readings::probe_table;
 use crate::readings::readings_table;
 use run::{NamedFile, WriteError, json, write_with_report};
 use std::path::{Path, PathBuf};
@@ -45,6 +46,10 @@ pub fn write_skiving(outcome: &SkivingOutcome, directory: &Path) -> Result<Vec<P
     }
     if let Some(scan) = &result.scan {
         files.push(("motions/scan.csv".into(), "scan of a stylus", tables::scan(scan)?.text().into()));
+    }
+    if let Some(probed) = outcome.probed.as_ref().filter(|probed| probed.simulated) {
+        let table = probe_table(&probed.values)?;
+        files.push(("workpiece.csv".into(), "profiles of the workpiece by the probe", table.text().into()));
     }
     let release = outcome.prepared.release(&result.verdict, outcome.sound);
     for program in &outcome.programs {

@@ -13,8 +13,8 @@ use skiving::measuring::{
     switches,
 };
 use skiving::{
-    MeasuringTrack, PairData, Setting, SettingLimits, SkivedFlank, SkivingError, SkivingPair, VirtualEdge,
-    fit_setting,
+    Kinematics, MeasuringTrack, PairData, Setting, SettingLimits, SkivedFlank, SkivingError, SkivingPair,
+    VirtualEdge, fit_setting,
 };
 use std::sync::Arc;
 
@@ -47,8 +47,10 @@ fn numbers_and_bodies() {
     assert_eq!(code(gear(2, 20.0, 20.0)), "invalid-number");
     assert_eq!(code(gear(-85, 46.0, 20.0)), "invalid-number");
     assert_eq!(code(gear(-85, 20.0, 61.0)), "invalid-number");
-    // A spur tool for a spur gear.
+    // A spur tool for a spur gear does not skive, and shapes no helical one.
     assert_eq!(code(gear(-85, 20.0, 0.0)), "axes-parallel");
+    let shaping = PairData { kinematics: Kinematics::Shaping, ..PairData::default() };
+    assert_eq!(code(SkivingPair::new(RING.tool(), RING.gear(), shaping)), "axes-crossed");
     let set = |setting: PairData| SkivingPair::new(RING.tool(), RING.gear(), setting);
     let distance = |d: f64| set(PairData { centre_distance: Some(d), ..PairData::default() });
     assert_eq!(code(distance(49.0)), "invalid-centre-distance");
@@ -58,7 +60,7 @@ fn numbers_and_bodies() {
     assert_eq!(rounding(f64::NAN).unwrap_err().code(), "invalid-number");
     let beam = |radius: f64, tilt: f64| Beam::new(Vector3::zeros(), [tilt, 0.0], radius);
     assert_eq!(code(beam(0.0, 0.0)), "invalid-number");
-    assert_eq!(code(beam(0.05, 1.0)), "invalid-number");
+    assert_eq!(code(beam(0.05, 1.6)), "invalid-number");
 }
 
 #[test]

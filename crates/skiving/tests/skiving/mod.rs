@@ -1,5 +1,6 @@
 //! Skiving tools: virtual edges under the referee, injected errors found again, every refusal.
 
+mod any_beam;
 mod broken;
 mod chips;
 mod errors;

@@ -74,6 +74,7 @@ fn reliefs_are_cut_by_pieces_of_an_edge() {
                     let track = MeasuringTrack::new(&edge, x).unwrap();
                     let piece = edge.piece(track.contact.w).range();
                     let skiving = Skiving {
+                        law: None,
                         flank: edge.flank().helicoid().flank(),
                         motion: &motion,
                         edge: &ball,

@@ -1,12 +1,14 @@
 //! Contact points and predicted flanks against balls that roll through the space.
 
 use super::samples::{CROWNED, RING, STEPPED, Sample};
-use foundation::geometry::{Flank, SphericalRake};
+use foundation::geometry::{Flank, RakeChange, SkivingTool, SphericalRake, VariableRake};
 use foundation::kinematics::SkivingMotion;
 use nalgebra::Vector3;
 use referee::{SkivedPlace, Skiving};
 use skiving::measuring::{EdgeErrors, RealTool, first_order_deviation};
-use skiving::{MeasuringTrack, SkivingPair, VirtualEdge, default_track_places, setting_sensitivity};
+use skiving::{
+    Kinematics, MeasuringTrack, PairData, SkivingPair, VirtualEdge, default_track_places, setting_sensitivity,
+};
 use std::sync::Arc;
 
 /// The edge passes the space within this turn of the tool to both sides, rad.
@@ -27,6 +29,7 @@ fn skived(
         (section.centre + normal * profile - section.growth() * growth, radius + growth)
     };
     let skiving = Skiving {
+        law: None,
         flank: edge.flank().helicoid().flank(),
         motion,
         edge: &ball,
@@ -82,6 +85,108 @@ fn any_rake_face_will_do() {
     let pair = SkivingPair::new(tool.unwrap(), sample.gear(), sample.setting()).unwrap();
     for flank in Flank::BOTH {
         agree(&VirtualEdge::new(&pair, sample.flank(&pair, flank)).unwrap(), 1e-8);
+    }
+}
+
+/// Rake faces whose angle changes over the tooth, each way alone and all together.
+#[test]
+fn rake_faces_that_change_make_the_flank() {
+    let changes = [
+        RakeChange { by_height: [0.03, 0.0], ..RakeChange::default() },
+        RakeChange { by_height: [0.0, 0.01], ..RakeChange::default() },
+        RakeChange { hollow: 0.06, ..RakeChange::default() },
+        RakeChange { twist: -0.04, ..RakeChange::default() },
+        RakeChange { by_height: [0.02, -0.005], hollow: 0.05, twist: 0.02 },
+    ];
+    for sample in [RING, STEPPED] {
+        let plane: Vec<VirtualEdge> = sample.edges().iter().map(|(_, edge)| edge.clone()).collect();
+        for change in changes {
+            let (rake, step) = (sample.rake.to_radians(), sample.step.to_radians());
+            let face = |radius: f64| -> Arc<dyn foundation::geometry::RakeFace> {
+                Arc::new(VariableRake::new(rake, step, change, radius))
+            };
+            let (teeth, helix) = (sample.teeth[0].unsigned_abs(), sample.helix[0].to_radians());
+            let tool = SkivingTool::new(teeth, helix, sample.module, face, sample.rounding()).unwrap();
+            let pair = SkivingPair::new(tool, sample.gear(), sample.setting()).unwrap();
+            for (flank, plane) in Flank::BOTH.into_iter().zip(&plane) {
+                let edge = VirtualEdge::new(&pair, sample.flank(&pair, flank)).unwrap();
+                agree(&edge, 1e-8);
+                // Not the edge of the plane.
+                let at = |edge: &VirtualEdge| tracks(edge)[0].contact.point;
+                assert!((at(&edge) - at(plane)).norm() > 1e-3);
+            }
+        }
+    }
+}
+
+/// Shaping cutters: an internal helical one that is ground in steps, an external spur one with a cone, an external helical one.
+fn shaping() -> [Sample; 3] {
+    let ring = Sample { helix: [15.0, 15.0], step: 15.0, radii: [86.3, 90.0], tool_shift: 0.4, ..RING };
+    let spur = Sample {
+        teeth: [25, 34],
+        module: 3.0,
+        helix: [0.0, 0.0],
+        cone: true,
+        radii: [48.8, 53.0],
+        rounding: [0.03, 6.0, 0.0, 0.0, 0.0],
+        ..RING
+    };
+    let helical = Sample { helix: [-20.0, 20.0], step: -20.0, cone: false, radii: [52.4, 56.0], ..spur };
+    [ring, spur, helical]
+}
+
+fn shaped(sample: &Sample) -> Vec<VirtualEdge> {
+    let setting = PairData { kinematics: Kinematics::Shaping, ..sample.setting() };
+    let pair = SkivingPair::new(sample.tool(), sample.gear(), setting).unwrap();
+    Flank::BOTH.map(|flank| VirtualEdge::new(&pair, sample.flank(&pair, flank)).unwrap()).into()
+}
+
+/// The referee knows of no stroke: balls that roll on parallel axes leave the flank, and touch it where planning says.
+#[test]
+fn shaping_cutters_make_their_flanks() {
+    for sample in shaping() {
+        for edge in shaped(&sample) {
+            agree(&edge, 1e-8);
+            assert_eq!(edge.cutting_direction(), 1.0);
+            // The lever of an unmodified flank: -i21 s_F r_b cos(beta_b), the same all over the edge.
+            let flank = edge.flank().helicoid().flank();
+            let side = if edge.side() == Flank::Left { 1.0 } else { -1.0 };
+            let lever = -edge.pair().motion().ratio * side * flank.base_radius * flank.base_helix_angle.cos();
+            for track in tracks(&edge) {
+                assert!((track.contact.lever - lever).abs() < 1e-9, "{} {lever}", track.contact.lever);
+            }
+        }
+    }
+}
+
+#[test]
+fn worn_shaping_cutters_and_their_settings_leave_what_is_predicted() {
+    let errors = EdgeErrors { profile: vec![0.004, -0.003, 0.002], growth: vec![0.008, 0.002] };
+    for sample in shaping() {
+        for edge in shaped(&sample) {
+            let tracks = tracks(&edge);
+            let motion = *edge.pair().motion();
+            let mut tool = RealTool::ideal(edge.pair().tool().teeth() as usize);
+            tool.edges[edge.side()][0] = errors.clone();
+            let worn = skived(&edge, &motion, &errors, &lengths(&tracks));
+            for (track, found) in tracks.iter().zip(&worn) {
+                let predicted = -first_order_deviation(&edge, &tool, track, 0);
+                assert!((found.left - predicted).abs() < 5e-5, "{}: {found:?} {predicted}", track.place);
+            }
+            for (k, step) in [(0, 0.005), (2, 0.02), (3, 1e-4)] {
+                let mut other = motion;
+                match k {
+                    0 => other.centre_distance += step,
+                    2 => other.tool_shift += step,
+                    _ => other.work_angle -= other.ratio * step,
+                }
+                let changed = skived(&edge, &other, &EdgeErrors::default(), &lengths(&tracks));
+                for (track, after) in tracks.iter().zip(&changed) {
+                    let predicted = setting_sensitivity(&motion, &track.contact)[k] * step;
+                    assert!((after.left - predicted).abs() < 1e-5, "{k}: {after:?} {predicted}");
+                }
+            }
+        }
     }
 }
 

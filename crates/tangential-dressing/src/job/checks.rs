@@ -2,14 +2,15 @@
 //! processes is checked by their code. Knows the job, no geometry beyond the order of diameters.
 
 use super::{
-    Channel, Passes, ShiftRatio, ShiftRule, TangentialDressing, TangentialJob, TangentialSettings,
-    VariableRule, Variables,
+    Channel, Passes, ShiftRatio, ShiftRule, TangentialDressing, TangentialExplore, TangentialJob,
+    TangentialSettings, VariableRule, Variables,
 };
+use generating_grinding::job::checks::{ascending, existing_dresser};
 use job::checks::{
     clamping_bodies, contradiction, control_of_job, dresser_diameters, every_job, falling_stock, not_yet,
     root_clearance, worm_diameters,
 };
-use job::tables::{Flanks, Gear, OneOrSides};
+use job::tables::{Flanks, Gear};
 use job::{Diagnostic, Problem, shown_number};
 
 /// All contradictions in a job; without places, which the caller knows.
@@ -22,6 +23,10 @@ pub(crate) fn check(job: &TangentialJob) -> Vec<Diagnostic> {
     let dresser = &job.dresser;
     dresser_diameters("dresser", dresser.pitch_diameter, dresser.tip_diameter, &mut findings);
     root_clearance(dresser.pitch_diameter, dresser.root_clearance, &mut findings);
+    existing_dresser(&dresser.modification, dresser.designed_for.as_ref(), &mut findings);
+    if dresser.exists() {
+        profile_of_existing(&job.dressing, &mut findings);
+    }
     shift(job, &mut findings);
     passes(job, &mut findings);
     excluded(&job.dressing, &mut findings);
@@ -30,6 +35,9 @@ pub(crate) fn check(job: &TangentialJob) -> Vec<Diagnostic> {
     spline_twice("dressing", splines, &mut findings);
     clamping_bodies(job.machine.as_ref().map_or(&[], |machine| &machine.clamping), &mut findings);
     falling_stock(job.machine.as_ref(), &mut findings);
+    if let Some(explore) = &job.explore {
+        varied(explore, &mut findings);
+    }
     if let Some(settings) = &job.settings {
         values(settings, &mut findings);
     }
@@ -44,24 +52,6 @@ fn bodies(gear: &Gear, findings: &mut Vec<Diagnostic>) {
                 .value(gear.teeth)
                 .allowed("> 0")
                 .way_out("give an external gear: a worm does not reach into an internal one"),
-        );
-    }
-    if gear.cone_angle_deg != 0.0 {
-        findings.push(
-            not_yet("gear.cone_angle_deg", "tangential dressing for conical gears")
-                .value(shown_number(gear.cone_angle_deg))
-                .allowed("0")
-                .way_out("leave the cone angle out, or use job.process = \"generating-grinding\""),
-        );
-    }
-    if let OneOrSides::Each { left, right } = gear.normal_pressure_angle_deg
-        && left != right
-    {
-        findings.push(
-            not_yet("gear.normal_pressure_angle_deg", "tangential dressing for asymmetric gears")
-                .value(format!("left {}, right {}", shown_number(left), shown_number(right)))
-                .allowed("the same angle on both flanks")
-                .way_out("give one pressure angle, or use job.process = \"generating-grinding\""),
         );
     }
 }
@@ -136,6 +126,44 @@ fn passes(job: &TangentialJob, findings: &mut Vec<Diagnostic>) {
     }
 }
 
+/// Variables and splines that would change the profile of a dresser that is there.
+fn profile_of_existing(dressing: &TangentialDressing, findings: &mut Vec<Diagnostic>) {
+    let is_profile = |channel: Channel| channel.whole() == Channel::Profile;
+    let mut refuse = |field: String, value: String, way_out: &str| {
+        findings.push(contradiction(
+            "the profile of a dresser that exists is not free",
+            field,
+            value,
+            "channels other than Fp, FpL, FpR, or dresser.modification = \"target\"",
+            way_out,
+        ));
+    };
+    match &dressing.variables {
+        Variables::Rule(VariableRule::Auto) => {}
+        Variables::Rule(VariableRule::Source) => refuse(
+            "dressing.variables".into(),
+            "\"source\"".into(),
+            "use \"auto\", or list variables of the motions",
+        ),
+        Variables::List(list) => {
+            for (i, variable) in list.iter().enumerate().filter(|(_, v)| is_profile(v.channel())) {
+                refuse(
+                    format!("dressing.variables[{i}]"),
+                    format!("\"{variable}\""),
+                    "delete the variable, or let the dresser be made for the target",
+                );
+            }
+        }
+    }
+    for (i, spline) in dressing.splines.iter().enumerate().filter(|(_, s)| is_profile(s.channel)) {
+        refuse(
+            format!("dressing.splines[{i}].channel"),
+            format!("\"{}\"", spline.channel.name()),
+            "delete the spline, or let the dresser be made for the target",
+        );
+    }
+}
+
 /// What the machine lacks takes no part.
 fn excluded(dressing: &TangentialDressing, findings: &mut Vec<Diagnostic>) {
     let lacking = |channel: Channel| dressing.exclude.contains(&channel.whole());
@@ -181,6 +209,25 @@ fn excluded(dressing: &TangentialDressing, findings: &mut Vec<Diagnostic>) {
             spline.channel,
             "delete the spline, or its channel from `exclude`",
         );
+    }
+}
+
+/// A study varies something, in ascending steps.
+fn varied(explore: &TangentialExplore, findings: &mut Vec<Diagnostic>) {
+    if *explore == TangentialExplore::default() {
+        findings.push(
+            Diagnostic::new(Problem::MissingKey, "`explore` does not say what varies")
+                .field("explore.shift_ratio")
+                .allowed("one or more of shift_ratio, worm_tip_diameter, dresser_tip_diameter, worm_threads")
+                .way_out("add one, e.g. shift_ratio = { from = 0.5, to = 2.5, count = 9 }"),
+        );
+    }
+    for (key, steps) in [
+        ("shift_ratio", explore.shift_ratio),
+        ("worm_tip_diameter", explore.worm_tip_diameter),
+        ("dresser_tip_diameter", explore.dresser_tip_diameter),
+    ] {
+        ascending(key, steps, findings);
     }
 }
 

@@ -1,10 +1,12 @@
-//! `[dresser]` of tangential dressing: the disc that profiles the worm, made for the target.
+//! `[dresser]` of tangential dressing: the disc that profiles the worm, made for the target or there already.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use generating_grinding::job::{DesignedFor, DresserModification};
+
 /// The disc dresser. Lengths in mm.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TangentialDresser {
     /// Tip diameter.
@@ -20,9 +22,27 @@ pub struct TangentialDresser {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 0, "maximum" = 100, "x-way-out" = "give the clearance in mm, or leave it out"))]
     pub root_clearance: Option<f64>,
+    /// Depth of its flank below the pitch circle; default that of the worm's tip.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 200,
+        "x-way-out" = "give the depth of the flank in mm, at most 1.75 normal modules, or leave it out"))]
+    pub flank_depth: Option<f64>,
     /// The profile before anything is added to it.
     #[serde(default)]
     pub profile: DresserProfile,
+    /// What profile the dresser carries. One that exists is not changed: the channels Fp, FpL and FpR then take no part.
+    #[serde(default)]
+    pub modification: DresserModification,
+    /// Another worm for which a dresser that exists was made; default the worm of the job.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub designed_for: Option<DesignedFor>,
+}
+
+impl TangentialDresser {
+    /// Whether it exists, so that its profile is what it is.
+    pub fn exists(&self) -> bool {
+        self.modification.given().is_some()
+    }
 }
 
 /// The nominal profile of the dresser.

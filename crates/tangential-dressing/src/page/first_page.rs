@@ -39,7 +39,7 @@ pub(super) fn sheets(outcome: &TangentialOutcome) -> Vec<Sheet> {
     ];
     vec![
         machine,
-        times(outcome.programs.as_ref(), None),
+        times(outcome.programs.as_ref(), None, prepared.names_machine),
         prepared.measures.sheet(gear, None),
         Sheet::new("Worm", of_worm),
         Sheet::new("Dresser", dresser),

@@ -6,6 +6,7 @@ mod passes;
 mod quantities;
 mod radial_feed;
 mod sensitivities;
+mod tools;
 
 use crate::TangentialFlank;
 use crate::workflow::{TangentialOutcome, TangentialRun};
@@ -99,6 +100,8 @@ fn common(outcome: &TangentialOutcome, files: &[(String, &'static str)]) -> Resu
             let (motion, [from, to]) = ground.dressing_motion(run.strokes.dressing).ok()?;
             Some(DressingCurves::over(&motion, (from, to)))
         }),
+        conditions: Vec::new(),
+        measured_worm: Vec::new(),
         strokes: Sides { left: &[], right: &[] },
         control: match &result.control {
             None => Vec::new(),
@@ -110,6 +113,8 @@ fn common(outcome: &TangentialOutcome, files: &[(String, &'static str)]) -> Resu
         removal: Vec::new(),
         programs: outcome.programs.as_ref().map_or(Ok(Vec::new()), programs_blocks)?,
         warnings: &result.warnings,
+        changes: &[],
+        deviated: Vec::new(),
         verification: verification(outcome),
         convergence: None,
         files,
@@ -156,6 +161,7 @@ fn own(outcome: &TangentialOutcome) -> Result<Vec<Section>, ChartError> {
             result.passes.iter().flat_map(passes::variables).collect(),
         ),
         ("how-the-values-were-found", "How the values were found", fits.concat()),
+        ("worm-and-dresser", "Dresser profile and worm topography", tools::blocks(outcome)?),
         ("radial-feed", "Beside it: crowning by radial feed", radial_feed::blocks(&Compared::of(outcome))?),
         ("worm-length-and-passes", "Worm length and passes", lengths),
         ("sensitivities", "Sensitivity topographies", sensitivities::blocks(&result.sensitivities)?),

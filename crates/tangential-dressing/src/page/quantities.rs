@@ -70,6 +70,9 @@ pub(super) fn settings_quantities(outcome: &TangentialOutcome) -> Vec<Quantity> 
         Quantity::number("scale along the worm", "b_w", s.shift_width_mm, "mm"),
     ];
     list.extend(s.neutral_shift_ratio.map(|k| Quantity::number("neutral shift ratio", "κ_0", k, "")));
+    for (flank, k) in &s.neutral_shift_ratio_by_flank {
+        list.push(Quantity::number(&format!("neutral shift ratio, {flank} flank"), "κ_0", *k, ""));
+    }
     for (flank, offset) in &s.contact_shift_offset_mm {
         list.push(Quantity::number(&format!("shift that centres the {flank} flank"), "F_T0*", *offset, "mm"));
     }

@@ -31,8 +31,18 @@ pub fn of_tangential(loaded: &LoadedTangentialJob) -> Result<DerivedGeometry, Ru
     let crossed = model.pair.chain.crossed_axes_angle.to_degrees();
     derived.quantity("crossed_axes_angle_deg", "crossed-axes angle", crossed, "deg");
     derived.quantity("shift_ratio", "tool shift per feed", model.shift_ratio, "");
-    if let Some(neutral) = model.neutral_ratio {
+    if let Some(neutral) = model.neutral_ratio() {
         derived.quantity("neutral_shift_ratio", "neutral tool shift per feed", neutral, "");
+    } else {
+        let keys = [
+            ("neutral_shift_ratio_left", "neutral tool shift per feed, left flank", Flank::Left),
+            ("neutral_shift_ratio_right", "neutral tool shift per feed, right flank", Flank::Right),
+        ];
+        for (key, name, flank) in keys {
+            if let Some(neutral) = model.neutral_ratios[flank] {
+                derived.quantity(key, name, neutral, "");
+            }
+        }
     }
     derived.quantity("shift_width_mm", "scale along the worm b_w", input.shift_width, "mm");
     let lines = &model.lines;

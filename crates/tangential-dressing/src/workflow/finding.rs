@@ -24,6 +24,7 @@ impl From<&TangentialError> for RunFailure {
                 "face_width" => "gear.face_width",
                 "normal_pressure_angle" => "gear.normal_pressure_angle_deg",
                 "pitch diameter of the worm" | "pitch radius of the worm" => "worm.pitch_diameter",
+                "profile of the dresser at the length of roll" => "dresser.modification",
                 "pitch radius of the dresser" => "dresser.pitch_diameter",
                 "target" => "target",
                 _ => "dressing",

@@ -3,6 +3,7 @@
 
 pub mod control;
 pub mod derived;
+pub mod explore;
 mod finding;
 mod flank;
 pub mod followed;
@@ -23,6 +24,7 @@ mod summary;
 mod tables;
 pub mod write;
 
+pub use explore::{TangentialExploration, explore_tangential};
 pub use flank::TangentialRun;
 pub use passes::{TangentialPass, passes_of_runs};
 pub use prepare::{TangentialPrepared, WantedFlank, prepare_tangential};

@@ -73,6 +73,11 @@ pub fn plan_pass(
         }
         Choice::Chosen { excluded, most } => {
             let mut candidates = SelectionTask::standard_candidates(pass.len() > 1, excluded);
+            if ready.dresser_exists {
+                let settling = SelectionTask::settling_candidates(excluded);
+                candidates
+                    .extend(settling.into_iter().filter(|v| !candidates.contains(v)).collect::<Vec<_>>());
+            }
             candidates.extend(splines);
             let selection = task
                 .select(&SelectionTask {
@@ -175,7 +180,9 @@ pub fn conventional(
     let mut task = task_of(ready, pass, &wanted, FitLimits::STEADY);
     task.fixed.set(&Variable::shift_ratio(), -ready.model.shift_ratio);
     task.fixed.set(&Variable::power(Channel::ToolShift, 0), -ready.model.shift_offset(pass));
-    let profile = (1..=4).map(|k| Variable::power(Channel::Profile(None), k));
+    // A dresser that exists has the profile that it has.
+    let powers = if ready.dresser_exists { 0 } else { 4 };
+    let profile = (1..=powers).map(|k| Variable::power(Channel::Profile(None), k));
     let distance = [0, 2].map(|k| Variable::power(Channel::CentreDistance, k));
     let free: Vec<Variable> = profile.chain(distance).collect();
     let fit = task.fit(&free, &vec![0.0; free.len()], FitMethod::Plain)?;

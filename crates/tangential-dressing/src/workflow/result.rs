@@ -67,9 +67,12 @@ pub struct SettingsResult {
     pub shift_width_mm: f64,
     /// kappa without the part that a variable adds.
     pub shift_ratio: f64,
-    /// kappa_0; absent for a spur gear.
+    /// kappa_0; absent for a spur gear, and where the flanks have different ones.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub neutral_shift_ratio: Option<f64>,
+    /// kappa_0 of each flank where they differ.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub neutral_shift_ratio_by_flank: BTreeMap<&'static str, f64>,
     /// FT0* per flank.
     pub contact_shift_offset_mm: BTreeMap<&'static str, f64>,
     /// Pitch diameter of the worm.

@@ -16,7 +16,7 @@ use crate::{FitLimits, TangentialError, TangentialSettings};
 use foundation::geometry::{Flank, Sides};
 use foundation::numerics::Progress;
 use generating_grinding::workflow::flank_verdict::{
-    judge_clearance, judge_control, judge_flank, judge_programs, leave_other_flanks,
+    NO_MACHINE, judge_clearance, judge_control, judge_flank, judge_programs, leave_other_flanks,
 };
 use generating_grinding::workflow::programs::run_programs::RunPrograms;
 use run::{Release, RunFailure, output_warnings};
@@ -150,7 +150,9 @@ fn finish(
     leave_other_flanks(&mut verdict, &flanks);
     judge_control(&mut verdict, control.as_ref(), tolerance);
     let made = programs.as_ref().map(|programs| &programs.result);
-    judge_programs(&mut verdict, made, tolerance, |name| flanks[name].flank.tolerance_share);
+    judge_programs(&mut verdict, made.ok_or(NO_MACHINE), tolerance, |name| {
+        flanks[name].flank.tolerance_share
+    });
     if let Some(made) = made {
         judge_clearance(&mut verdict, made.clearance.as_ref());
     }
@@ -192,7 +194,13 @@ fn settings_result(
         screw_parameter_mm: model.chain.screw_parameter,
         shift_width_mm: model.input().shift_width,
         shift_ratio: model.shift_ratio,
-        neutral_shift_ratio: model.neutral_ratio,
+        neutral_shift_ratio: model.neutral_ratio(),
+        neutral_shift_ratio_by_flank: match model.neutral_ratio() {
+            Some(_) => BTreeMap::new(),
+            None => {
+                Flank::BOTH.into_iter().filter_map(|f| Some((f.name(), model.neutral_ratios[f]?))).collect()
+            }
+        },
         contact_shift_offset_mm: Flank::BOTH.map(|f| (f.name(), model.lines[f].offset)).into(),
         worm_pitch_diameter_mm: 2.0 * model.pair.worm.pitch_radius(),
         dresser_pitch_diameter_mm: 2.0 * model.input().dresser_pitch_radius,

@@ -3,7 +3,8 @@
 use super::super::given::Checked;
 use super::body::{Body, side};
 use foundation::geometry::{
-    BevelData, BevelGear, EaseOff, EaseOffAmounts, Flank, Hand, Modified, SphericalInvolute, Spiral, Surface,
+    BevelData, BevelGear, EaseOff, EaseOffAmounts, Flank, Hand, LineForm, Modified, SphericalInvolute,
+    Spiral, Surface,
 };
 use milling::{ActiveFlank, CurveOnCone, HeightLimits};
 use serde::Deserialize;
@@ -34,7 +35,7 @@ impl BevelInput {
             (None, None, None) => Ok(None),
             (Some(angle), Some(cutter_radius), Some(hand)) if hand.abs() == 1.0 => Ok(Some(Spiral {
                 mean_angle: angle.to_radians(),
-                cutter_radius,
+                form: LineForm::Circle { radius: cutter_radius },
                 hand: if hand > 0.0 { Hand::Right } else { Hand::Left },
             })),
             _ => Err("a spiral needs beta_m_deg, rc and hand (+1 or -1)".into()),

@@ -51,6 +51,7 @@ pub(crate) fn wear(reference: &Reference<'_>, block: &Value, ledger: &mut Ledger
                 let options = FinishOptions {
                     cutter: &cutter,
                     orientation: Orientation::default(),
+                    tilt_at_tip: None,
                     heights,
                     bottom: of_root.then_some((Bottom::Level(0.0), wanted)),
                     kept: of_opposite.then_some(Kept::Surface(opposite)).into_iter().collect(),

@@ -18,7 +18,7 @@ use foundation::geometry::Flank;
 use foundation::kinematics::MotionLaw;
 use generating::least_squares::FitNorm;
 use generating::{
-    Candidate, DEFAULT_LEAST_DETERMINANT, DressingRows, GeneratingError, GrindingPlan, GrindingSetup,
+    Candidate, DEFAULT_LEAST_DETERMINANT, DressingRows, Effort, GeneratingError, GrindingPlan, GrindingSetup,
     PlanGauge, PlanTask, PlanningGrid, Prefer, RatioChoice,
 };
 use serde_json::Value;
@@ -66,6 +66,7 @@ fn one(
         grid: (GRID, GRID),
         // The rule of the listed ratios.
         prefer: Prefer::Accuracy,
+        effort: Effort::Full,
         least_determinant: DEFAULT_LEAST_DETERMINANT,
     };
     let Some(listed) = expected.given("K_ZV1", ledger) else { return Ok(()) };

@@ -56,6 +56,7 @@ impl Input {
             worm_tip_radius: None,
             dresser_pitch_radius: self.r_pd,
             dresser_tip_radius: None,
+            dresser_depth: None,
             profile,
             radii: [self.r_s, self.r_e],
             faces: [-0.5 * self.b_g, 0.5 * self.b_g],
@@ -133,7 +134,7 @@ fn placed(setup: &Setup<'_>, item: &mut Expected<'_>, ledger: &mut Ledger) {
         let size = if actual == 0.0 { 1.0 } else { actual.abs() };
         item.number(key, actual, share * size, ledger);
     }
-    let neutral = model.neutral_ratio;
+    let neutral = model.neutral_ratio();
     item.optional("kappa0", neutral, share * neutral.unwrap_or(1.0).abs(), ledger);
     // The difference of places of the size of FT0.
     item.number("contact_line_nonlinearity", model.lines.left.nonlinearity, share * offset, ledger);

@@ -60,7 +60,7 @@ fn crowned(setup: &Setup<'_>, case: &mut Expected<'_>, ledger: &mut Ledger) -> O
     let (flank, crowning) = (given_sign(case, ledger), case.given("C_um", ledger));
     let (Some(flank), Some(crowning)) = (flank, crowning.map(|c| c * UM)) else { return Ok(()) };
     let model = &setup.model;
-    let settings = model.radial_feed_settings(crowning);
+    let settings = model.radial_feed_settings(flank, crowning);
     let amount = settings.value(&"dist2".parse::<Variable>()?);
     case.number("dist2", amount, setup.tolerances.get("machine_rel") * amount.abs(), ledger);
     let twist = setup.tolerances.get("twist_um");

@@ -30,29 +30,50 @@ fn every_key_of_the_electronic_gearbox_counts() {
                 { "kind": "harmonic", "torque_n_m": 0.3, "frequency_hz": 50.0, "phase_deg": 10.0 },
                 { "kind": "order", "torque_n_m": 0.3, "axis": "workpiece", "order": 40.0, "phase_deg": 10.0 },
                 { "kind": "pulses", "torque_n_m": 0.3, "axis": "workpiece", "per_revolution": 3, "width_deg": 20.0 } ] },
-        "explore": { "wanted_um": 0.5, "speed_mm_per_min": 600.0, "acceleration_mm_per_s2": 100.0,
+        "explore": { "wanted_um": 1.6, "speed_mm_per_min": 600.0, "acceleration_mm_per_s2": 100.0,
             "scales": choices("pulses_per_metre", [100_000.0, 250_000.0]), "clocks": choices("clock_hz", [1e6, 1e7]),
             "interpolations": whole("pulses_per_interval", [16, 64]),
             "encoders": whole("pulses_per_revolution", [36_000, 90_000]) },
-        "output": { "pulse_trace": true, "language": "en" },
+        "errors": {
+            "scale": { "slope_um_per_m": 3.0, "periodic": [{ "amplitude_um": 0.5, "period_mm": 0.4, "phase_deg": 20.0 }] },
+            "encoder": { "radius_mm": 50.0, "eccentricity_um": 0.5, "eccentricity_phase_deg": 15.0,
+                "periodic": [{ "order": 3, "amplitude_arcsec": 0.2, "phase_deg": 30.0 }] } },
+        "correction": { "curves": [
+            { "kind": "polynomial", "coefficients_um": [0.1, 0.5] },
+            { "kind": "table", "axis": "feed", "start": 0.1, "spacing": 0.2, "values_um": [0.0, 1.0, -1.0, 0.0],
+              "ends": "natural" } ] },
+        "split": { "volts_per_pulse": 10.0, "bits": 5, "offset_mv": 20.0, "gain_error_percent": 1.0 },
+        "engagement": { "phase_speed_deg_per_s": 90.0, "acceleration_deg_per_s2": 3600.0, "gap_deg": 2.5, "cycle_us": 1000.0,
+            "counter_bits": 16 },
+        "compare": { "pll": { "bandwidth_hz": 50.0, "damping": 0.7 },
+            "amplitude": { "offset_percent": 1.0, "mismatch_percent": 2.0, "phase_error_deg": 1.0, "delay_us": 30.0 } },
+        "output": { "pulse_trace": true, "split_trace": true, "language": "en" },
     });
     let mut gains = motion.clone();
     gains["servo"].as_object_mut().unwrap().remove("bandwidth_hz");
     gains["servo"]["gains"] = json!({
         "proportional_n_m_per_rad": 22_740.0, "integral_n_m_per_rad_s": 1.9e6, "derivative_n_m_s_per_rad": 90.4
     });
+    let mut screw = motion.clone();
+    screw["errors"].as_object_mut().unwrap().remove("scale");
+    screw["errors"]["ball_screw"] = json!({ "lead_mm": 0.8, "travel_um_per_300mm": 12.0, "wobble_um": 1.0,
+        "wobble_phase_deg": 20.0, "backlash_um": 2.0 });
     let mut train = motion.clone();
+    train["errors"].as_object_mut().unwrap().remove("scale");
+    train.as_object_mut().unwrap().remove("compare");
     train["stimulus"] =
         json!({ "reference_ticks": [100, 260, 420], "reference_signs": [1, 1, 1], "last_tick": 1000 });
     let (ignored, missing) = walk(&Walk {
         definition: "GearboxJob",
-        jobs: vec![motion, gains, train],
+        jobs: vec![motion, gains, screw, train],
         command: "gearbox",
         exceptions: &[
             ("job.name", "a name"),
             ("job.description", "a comment"),
             ("job.process", "says which keys there are"),
             ("servo.disturbances.kind", "says which keys there are"),
+            ("correction.curves.kind", "says which keys there are"),
+            ("correction.curves.axis", "a table over the worm is periodic, this one over the feed is not"),
             (
                 "stimulus.references",
                 "the name of a table, whose rows are those of reference_ticks and reference_signs",
@@ -65,6 +86,9 @@ fn every_key_of_the_electronic_gearbox_counts() {
                 ("feed.counter_limit", json!(3)),
                 ("workpiece.rate", json!("bresenham")),
                 ("servo.disturbances.axis", json!("worm")),
+                ("correction.curves.ends", json!("periodic")),
+                ("engagement.counter_bits", json!(20)),
+                ("split.bits", json!(3)),
             ])
             .collect(),
         echoes: &[

@@ -6,13 +6,14 @@ use super::title_block;
 use serde_json::{Value, json};
 
 /// Keys that change nothing.
-const EXCEPTIONS: [(&str, &str); 21] = [
+const EXCEPTIONS: [(&str, &str); 23] = [
     ("job.name", "a name"),
     ("job.description", "a comment"),
     ("job.process", "says which keys there are"),
     ("machine.file", "the name of a file; without it the job is refused"),
     ("target.file", "the name of a file; without it the job is refused"),
     ("stock.map", "the name of a file; without it the job is refused"),
+    ("measured_worm.file", "the name of a file; without it the job is refused"),
     ("catalogue.file", "the name of a file; without it the job is refused"),
     ("catalogue.worms_csv", "the name of a file; without it the job is refused"),
     ("catalogue.dressers_csv", "the name of a file; without it the job is refused"),
@@ -30,6 +31,7 @@ const EXCEPTIONS: [(&str, &str); 21] = [
     ),
     ("explore.catalogue.free", "says what `from` and `to` are"),
     ("dresser.contact", "says which keys there are"),
+    ("dressing.conditions.kind", "says which keys there are"),
     ("control.feed.mode", "a stroke feeds in one sense; the modes differ where a slide turns"),
     (
         "output.meshes",
@@ -52,14 +54,19 @@ fn values() -> Vec<(&'static str, Value)> {
         ("dressing.profile_crowning_by", json!("correction")),
         ("dressing.conditions", json!("fix-gamma")),
         ("dressing.conditions", json!("fix-d")),
+        ("dressing.conditions.axis", json!("phi_S")),
+        ("measured_worm.held", json!("gamma")),
+        ("dressing.conditions.flank", json!("left")),
         ("dressing.degrees_of_freedom", json!("v_y")),
         ("grinding.diagonal_ratio.curve.flank", json!("left")),
         ("control.feed.counter_limit", json!(3)),
+        ("worm.flank_form", json!("ZA")),
         ("grinding.method", json!("radial")),
         ("grinding.flanks", json!("left")),
         ("grinding.diagonal_ratio", json!("auto")),
         ("grinding.gauge", json!("equal-swivel")),
         ("grinding.prefer", json!("accuracy")),
+        ("grinding.try_changes", json!(false)),
         ("target.traces.helix_w_mm", json!([8.0])),
         ("target.traces.profile_z_mm", json!([9.0])),
         ("grinding.axis_limits.d_phi_S_deg", json!(1e-4)),
@@ -73,6 +80,7 @@ fn values() -> Vec<(&'static str, Value)> {
         ("control.feed_senses", json!("both")),
         ("control.workpiece.rate", json!("bresenham")),
         ("control.servo.disturbances.axis", json!("worm")),
+        ("catalogue.rank_by", json!("whole-target")),
         ("explore.dressing.flank", json!("right")),
         ("explore.dressing.over", json!("profile")),
         ("explore.dressing.deviations.distribution", json!("uniform")),

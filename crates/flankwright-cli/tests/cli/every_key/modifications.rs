@@ -22,6 +22,9 @@ fn entries() -> Vec<Value> {
             [5.0 + 3.4 * i, -16.5 + 6.6 * j, (i * j) % 4.0]
         })
         .collect();
+    // A wave whose height lies between noises: what is noise decides whether the curve follows it.
+    let profile: Vec<[f64; 2]> =
+        (0..40).map(|k| [6.0 + 0.4 * f64::from(k), 0.5 * (0.8 * f64::from(k)).sin()]).collect();
     vec![
         amount("profile_crowning"),
         amount("profile_crowning_arc"),
@@ -53,6 +56,8 @@ fn entries() -> Vec<Value> {
         json!({ "kind": "points", "file": "table.csv" }),
         json!({ "kind": "helix_traces", "w_mm": [8.0, 18.0], "z_mm": [-15.0, -5.0, 5.0, 15.0], "f_um": [rows[0], rows[1]] }),
         json!({ "kind": "helix_traces", "file": "table.csv" }),
+        json!({ "kind": "profile_trace", "points": profile, "noise_um": 0.3 }),
+        json!({ "kind": "profile_trace", "file": "table.csv" }),
         json!({ "kind": "formula", "f_um": "u*v" }),
         json!({ "kind": "sum", "children": child }),
         json!({ "kind": "product", "children": child }),

@@ -5,7 +5,19 @@ use super::title_block;
 use serde_json::{Value, json};
 
 /// Keys that change nothing.
-const EXCEPTIONS: [(&str, &str); 9] = [
+const EXCEPTIONS: [(&str, &str); 13] = [
+    (
+        "machine.carrier.axis",
+        "names the axis that carries the barrier; any other is refused, as it moves the other body",
+    ),
+    (
+        "machine.carrier.measuring",
+        "no shipped machine has a carrier that slides; walked in the programs of skiving tools",
+    ),
+    (
+        "machine.carrier.parked",
+        "no shipped machine has a carrier that slides; walked in the programs of skiving tools",
+    ),
     (
         "gear.measured_over.roll_diameter",
         "no straight roll lies in the spaces of a helical ring; walked in generating grinding",
@@ -16,6 +28,7 @@ const EXCEPTIONS: [(&str, &str); 9] = [
     ("machine.file", "the name of a file; without it the job is refused"),
     ("history.file", "the name of a file; without it the job is refused"),
     ("history.time", "orders the lines of the history; another one at the same time is refused"),
+    ("workpiece_probe.readings", "the name of a file; without it the measurement is simulated"),
     ("readings.file", "the name of a file; without it the job is refused"),
     ("target.modifications", "their own keys are walked once for all processes"),
 ];
@@ -35,6 +48,10 @@ fn values() -> Vec<(&'static str, Value)> {
         ("evaluation.settings", json!("crossed-axes-angle")),
         ("evaluation.limits.tool_angle_deg", json!(1e-7)),
         ("skiving_tool.rake.form", json!("cone")),
+        ("skiving.kinematics", json!("skiving")),
+        ("runout.law", json!("coupling")),
+        ("machine.carrier.measuring_deg", json!(80.0)),
+        ("machine.carrier.parked_deg", json!(10.0)),
         ("stylus.axes", json!("without-y")),
         ("calibration.switches.along", json!("X")),
         ("calibration.switches.along", json!("Y")),

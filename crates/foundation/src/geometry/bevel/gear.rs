@@ -1,6 +1,7 @@
 //! A bevel gear from its drawing data: cones, distances and checks of `docs/mathematics/milling.md#flanks-as-patches`.
 
-use super::flank_line::Spiral;
+use super::flank_line::{LineForm, Spiral};
+use super::tangent_line::TangentLine;
 use super::{CircularLine, FlankLine};
 use crate::geometry::GeometryError;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -95,7 +96,12 @@ impl BevelData {
             let angle = spiral.mean_angle;
             let good = (0.0..FRAC_PI_2).contains(&angle);
             number("spiral_angle_deg", angle.to_degrees(), good, "0 to below 90 deg, the hand apart")?;
-            number("cutter_radius", spiral.cutter_radius, spiral.cutter_radius > 0.0, "> 0 mm")?;
+            if let LineForm::Circle { radius } | LineForm::Epicycloid { radius, .. } = spiral.form {
+                number("cutter_radius", radius, radius > 0.0, "> 0 mm")?;
+            }
+            if let LineForm::Epicycloid { groups, .. } = spiral.form {
+                number("blade_groups", groups, groups >= 1.0, "at least 1")?;
+            }
         }
         if let Some(angle) = self.form_angle {
             number("form_angle_deg", angle.to_degrees(), angle > 0.0 && angle < FRAC_PI_2, between)?;
@@ -146,7 +152,27 @@ impl BevelGear {
         let line = match data.spiral {
             None => FlankLine::Straight,
             Some(spiral) => {
-                FlankLine::Circular(CircularLine::new(spiral, outer - data.face_width / 2.0, delta))
+                let mean = outer - data.face_width / 2.0;
+                let circular = |radius: f64, groups: f64| {
+                    let rolling = groups * delta.sin() / teeth;
+                    CircularLine::new(&spiral, (radius, rolling), mean, delta).map(FlankLine::Circular).ok_or(
+                        GeometryError::InvalidGeometry {
+                            what: "radius of a cutter head with these groups of blades".into(),
+                            value: radius,
+                            allowed: format!("> {:.4} mm", mean * spiral.mean_angle.cos() * rolling),
+                        },
+                    )
+                };
+                let tangent = |involute| {
+                    let scale = spiral.hand.sign() / delta.sin();
+                    FlankLine::Tangent(TangentLine::new(involute, spiral.mean_angle, mean, scale))
+                };
+                match spiral.form {
+                    LineForm::Circle { radius } => circular(radius, 0.0)?,
+                    LineForm::Epicycloid { radius, groups } => circular(radius, groups)?,
+                    LineForm::Straight => tangent(false),
+                    LineForm::Involute => tangent(true),
+                }
             }
         };
         line.check([inner, outer])?;

@@ -5,10 +5,13 @@
 
 mod flank_line;
 mod gear;
+mod line_bounds;
 mod octoid;
 mod spherical_involute;
+mod tangent_line;
 
-pub use flank_line::{CircularLine, FlankLine, Hand, Spiral};
+pub use flank_line::{CircularLine, FlankLine, Hand, LineForm, Spiral};
 pub use gear::{BevelData, BevelGear};
 pub use octoid::Octoid;
 pub use spherical_involute::SphericalInvolute;
+pub use tangent_line::TangentLine;

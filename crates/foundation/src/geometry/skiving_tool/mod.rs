@@ -2,8 +2,10 @@
 //! (`docs/mathematics/skiving.md`). What their edges look like follows from the workpiece and is found elsewhere.
 
 mod rake;
+mod variable_rake;
 
 pub use rake::{ConeRake, PlaneRake, RakeFace, SphericalRake};
+pub use variable_rake::{RakeChange, VariableRake};
 
 use super::GeometryError;
 use std::f64::consts::FRAC_PI_2;

@@ -9,6 +9,9 @@ use crate::geometry::GeometryError;
 use crate::numerics::{BicubicPatch, Jet2, SplineError, TensorSpline};
 use nalgebra::Vector3;
 
+/// Lines of points that continue a surface beyond one end.
+const BEYOND: usize = 4;
+
 /// Share of |S_a| |S_b| below which their cross product tells no side.
 const FLAT: f64 = 1e-9;
 
@@ -90,6 +93,37 @@ impl GridSurface {
         Ok(surface)
     }
 
+    /// The same surface, going on beyond both ends of its rows by a share of their length: with the slope and the curvature that it has
+    /// there, along every row. Within its points it stays what it is, as the continued lines are cubics that meet it with continuous second
+    /// derivatives.
+    ///
+    /// # Errors
+    /// [`GeometryError::InvalidNumber`] for a share that is not above 0.
+    pub fn extended(&self, share: f64) -> Result<Self, GeometryError> {
+        if !(share.is_finite() && share > 0.0) {
+            let (field, allowed) = ("share of the extension", "> 0");
+            return Err(GeometryError::InvalidNumber { field, value: share, allowed });
+        }
+        let steps = |k: usize| share * k as f64 / BEYOND as f64;
+        let before = (1..=BEYOND).rev().map(|k| -steps(k));
+        let behind = (1..=BEYOND).map(|k| 1.0 + steps(k));
+        let lengths: Vec<f64> = before.chain(self.lengths.iter().copied()).chain(behind).collect();
+        let beyond = |axis: usize, height: f64, length: f64| {
+            let end = length.clamp(0.0, 1.0);
+            let Jet2 { f, fv, fvv, .. } = self.coordinates[axis].jet(height, end);
+            let by = length - end;
+            f + by * (fv + 0.5 * by * fvv)
+        };
+        let along = |axis: usize| {
+            let row = |height: &f64| lengths.iter().map(|length| beyond(axis, *height, *length)).collect();
+            let values: Vec<Vec<f64>> = self.heights.iter().map(row).collect();
+            TensorSpline::new(&self.heights, &lengths, &values)
+                .map_err(|_| GeometryError::GridNotFinite { row: 0, column: 0 })
+        };
+        let coordinates = [along(0)?, along(1)?, along(2)?];
+        Ok(Self { coordinates, side: self.side, heights: self.heights.clone(), lengths })
+    }
+
     /// The height parameters of the rows.
     pub fn heights(&self) -> &[f64] {
         &self.heights
@@ -149,7 +183,8 @@ impl GridSurface {
 
 impl Surface for GridSurface {
     fn domain(&self) -> [[f64; 2]; 2] {
-        [[0.0, 1.0]; 2]
+        let ends = |of: &[f64]| [of[0], of[of.len() - 1]];
+        [ends(&self.heights), ends(&self.lengths)]
     }
 
     fn point(&self, height: f64, length: f64) -> Vector3<f64> {
@@ -200,5 +235,42 @@ impl OffsetBase for GridSurface {
             [(heights[1] - heights[0]) / 2.0, (lengths[1] - lengths[0]) / 2.0],
             middle.by_height.cross(&middle.by_length).norm(),
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A twisted surface through 6 x 7 points.
+    fn twisted() -> GridSurface {
+        let point = |i: usize, j: usize| {
+            let (a, b) = (i as f64 / 5.0, j as f64 / 6.0);
+            let angle = 0.3 * b * b + 0.2 * a * b;
+            Vector3::new(30.0 * angle.sin(), 40.0 + 20.0 * a, 50.0 * b + a * a)
+        };
+        let rows: Vec<Vec<_>> = (0..6).map(|i| (0..7).map(|j| point(i, j)).collect()).collect();
+        GridSurface::new(&rows, NormalSide::Along).unwrap()
+    }
+
+    #[test]
+    fn an_extended_surface_is_the_same_within_its_points_and_goes_on_smoothly() {
+        let (inner, outer) = (twisted(), twisted().extended(0.4).unwrap());
+        assert_eq!(outer.domain()[1], [-0.4, 1.4]);
+        for k in 0..=40 {
+            for l in 0..=40 {
+                let (a, b) = (k as f64 / 40.0, l as f64 / 40.0);
+                assert!((inner.point(a, b) - outer.point(a, b)).norm() < 1e-10, "{a} {b}");
+            }
+        }
+        for (end, sense) in [(0.0, -1.0), (1.0, 1.0)] {
+            let at = inner.jet(0.3, end);
+            let [near, far] = [1e-4, 0.2].map(|by| outer.point(0.3, end + sense * by) - at.point);
+            assert!((near / (sense * 1e-4) - at.by_length).norm() < 1e-2 * at.by_length.norm());
+            assert!(far.norm() > 0.15 * at.by_length.norm());
+        }
+        for share in [0.0, -1.0, f64::NAN] {
+            assert!(inner.extended(share).is_err());
+        }
     }
 }

@@ -12,6 +12,7 @@ mod grid;
 mod helicoid;
 mod mirrored;
 mod modified;
+mod offset_sum;
 mod ruled;
 mod second_order;
 
@@ -23,6 +24,7 @@ pub use helicoid::Helicoid;
 pub(super) use helicoid::turned;
 pub use mirrored::Mirrored;
 pub use modified::{Modified, NormalOffset, OffsetBounds};
+pub use offset_sum::OffsetSum;
 pub use ruled::{BladeData, RuledBlade};
 pub use second_order::{NormalSide, OffsetBase, SecondOrder};
 

@@ -1,5 +1,6 @@
 //! Reference pulses of a job, from the motion of its slide or from its train, and what the gearbox says of a train that cannot be.
 
+use super::measured::Measured;
 use crate::job::{LoadedGearboxJob, Move as JobMove, Stimulus, reference_train};
 use crate::reference_train::ReferenceTrain;
 use crate::workflow::finding::of_feed;
@@ -31,6 +32,8 @@ impl Driven {
         let stimulus = &loaded.job.stimulus;
         let rest = stimulus.rest_or_default();
         if let Some(motion) = slide_motion(stimulus)? {
+            let lines = Measured::of_job(loaded.job.errors.as_ref())?.lines;
+            let motion = motion.with_line_errors(lines);
             return Ok(Self::of_motion(motion, rest, interpolation)?);
         }
         let Some(train) = reference_train(loaded)? else {

@@ -2,6 +2,7 @@
 
 use crate::job::{
     CatalogueSource, Dressing, DressingFlanks, Explore, FreeQuantity, FreeWorm, Job, ProfileCrowningBy,
+    RankBy,
 };
 use job::{Diagnostic, Problem, shown_number};
 
@@ -41,6 +42,7 @@ fn with_catalogue(job: &Job, source: &CatalogueSource, findings: &mut Vec<Diagno
         );
     }
     files(source, findings);
+    whole_target(job, source, findings);
     dressing(&job.dressing, findings);
     if let Some(explore) = &job.explore {
         studies(explore, findings);
@@ -82,6 +84,58 @@ fn files(source: &CatalogueSource, findings: &mut Vec<Diagnostic>) {
     }
 }
 
+/// What a ranking by plans alone reads.
+fn whole_target(job: &Job, source: &CatalogueSource, findings: &mut Vec<Diagnostic>) {
+    let given = [
+        ("plans", source.plans.map(|plans| plans.to_string())),
+        ("crowning_at", source.crowning_at.as_ref().map(|at| format!("{} positions", at.len()))),
+    ];
+    for (key, value) in given {
+        let Some(value) = value.filter(|_| source.rank_by != RankBy::WholeTarget) else { continue };
+        findings.push(
+            Diagnostic::new(Problem::InvalidJob, "a ranking by the profile plans no pair")
+                .field(format!("catalogue.{key}"))
+                .value(value)
+                .allowed("no key, or rank_by = \"whole-target\"")
+                .way_out(format!("add `rank_by = \"whole-target\"`, or remove `{key}`")),
+        );
+    }
+    if source.rank_by == RankBy::WholeTarget && job.explore.as_ref().is_some_and(|e| e.catalogue.is_some()) {
+        findings.push(
+            Diagnostic::new(
+                Problem::InvalidJob,
+                "a study with a free quantity of the worm looks at profiles",
+            )
+            .field("catalogue.rank_by")
+            .value("\"whole-target\"")
+            .allowed("\"profile\" beside explore.catalogue")
+            .way_out("rank the catalogue by plans in a job of its own"),
+        );
+    }
+    let range = job.gear.evaluation_range();
+    let (from, to) = (range.z_start, range.z_end);
+    for (k, &z) in source.crowning_at.iter().flatten().enumerate() {
+        let at = source.crowning_at.as_deref().unwrap_or_default();
+        let ascends = k == 0 || at[k - 1] < z;
+        if !(from..=to).contains(&z) || !ascends {
+            findings.push(
+                Diagnostic::new(
+                    Problem::InvalidNumber,
+                    if ascends {
+                        "a position of the crowning is outside the evaluated width"
+                    } else {
+                        "the positions of the crowning do not ascend"
+                    },
+                )
+                .field(format!("catalogue.crowning_at[{k}]"))
+                .value(shown_number(z))
+                .allowed(format!("{} to {} mm, ascending", shown_number(from), shown_number(to)))
+                .way_out("give positions within the evaluated width, the smallest first, each once"),
+            );
+        }
+    }
+}
+
 /// Dressers that are there are used as they are: one flank after the other, by three points and the radius map.
 fn dressing(dressing: &Dressing, findings: &mut Vec<Diagnostic>) {
     let mut refuse = |field: &str, value: String, allowed: &str| {
@@ -111,8 +165,7 @@ fn dressing(dressing: &Dressing, findings: &mut Vec<Diagnostic>) {
             refuse(field, "given".into(), "no key: a dresser of a catalogue touches along a line");
         }
     }
-    let rows = Dressing::default();
-    if dressing.conditions != rows.conditions || !dressing.fixed().is_empty() {
+    if !dressing.has_usual_conditions() {
         refuse(
             "dressing.conditions",
             format!("{} conditions", dressing.rows()),

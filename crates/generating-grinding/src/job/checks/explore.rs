@@ -1,7 +1,7 @@
 //! Contradictions in `[explore]`.
 
 use super::stroke_study;
-use crate::job::{Dressing, DressingStudy, Explore, Job, Steps, StudyOver, Tool};
+use crate::job::{DressingStudy, Explore, Job, Steps, StudyOver, Tool};
 use job::{Diagnostic, Problem, shown_number};
 
 pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
@@ -125,8 +125,7 @@ fn worm_life(job: &Job, explore: &Explore, findings: &mut Vec<Diagnostic>) {
             "leave `strokes` out",
         );
     }
-    let rows = Dressing::default();
-    if job.dressing.conditions != rows.conditions || !job.dressing.fixed().is_empty() {
+    if !job.dressing.has_usual_conditions() {
         refuse(
             "dressing.conditions",
             format!("{} conditions", job.dressing.rows()),
@@ -137,7 +136,8 @@ fn worm_life(job: &Job, explore: &Explore, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-fn ascending(key: &str, steps: Option<Steps>, findings: &mut Vec<Diagnostic>) {
+/// Refuses steps of `explore` whose values do not ascend.
+pub fn ascending(key: &str, steps: Option<Steps>, findings: &mut Vec<Diagnostic>) {
     let Some(steps) = steps.filter(|steps| steps.to <= steps.from) else { return };
     findings.push(
         Diagnostic::new(Problem::InvalidJob, format!("the values of `{key}` do not ascend"))

@@ -1,6 +1,6 @@
 //! Contradictions around `[dressing.gear_root]`: the head of the dresser makes the worm's tip, and the tip follows from the gear.
 
-use crate::job::{Condition, DressingFlanks, Job, Tool};
+use crate::job::{DressingFlanks, Job, Tool};
 use job::checks::contradiction;
 use job::{Diagnostic, shown_number};
 
@@ -21,12 +21,12 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
             WITHOUT,
         );
     }
-    if job.dressing.flanks == DressingFlanks::Two || !job.dressing.conditions.contains(&Condition::Head) {
+    if job.dressing.flanks == DressingFlanks::Two || !job.dressing.dresses_head() {
         refuse(
             "the root of the gear is ground by the worm's tip, which the conditions of dressing do not hold",
             "dressing.conditions",
             format!("{} conditions", job.dressing.conditions.len()),
-            "[\"three-point\", \"head\"] with dressing.flanks = \"one\"",
+            "[\"three-point\", \"head\"], or others with a head without weight, and dressing.flanks = \"one\"",
             "set dressing.conditions = [\"three-point\", \"head\"], or leave `dressing.gear_root` out",
         );
     }

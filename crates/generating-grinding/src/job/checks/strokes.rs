@@ -2,8 +2,8 @@
 
 use super::profile_parts;
 use crate::job::{
-    Dresser, DresserContact, DresserModification, Dressing, DressingFlanks, Job, ProfileCrowningBy,
-    StrokeSettings, Strokes,
+    Dresser, DresserContact, DresserModification, DressingFlanks, Job, ProfileCrowningBy, StrokeSettings,
+    Strokes,
 };
 use job::checks::{contradiction, dresser_diameters, not_yet};
 use job::{Diagnostic, Problem, shown_number};
@@ -53,8 +53,16 @@ fn others(job: &Job, dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
 /// Areas and sections are parts of the profile, and every number names something that there is.
 fn parts(strokes: &Strokes, dressers: usize, findings: &mut Vec<Diagnostic>) {
     let areas: Vec<[f64; 2]> = strokes.areas.iter().map(|area| [area.from, area.to]).collect();
-    let sections: Vec<(f64, usize)> = strokes.sections.iter().map(|s| (s.to, s.area)).collect();
-    profile_parts::check(STROKES, &areas, &sections, findings);
+    // One place of the face is enough to find what is wrong.
+    for q in [0.0, -1.0, 1.0, -0.5, 0.5] {
+        let before = findings.len();
+        let sections: Vec<(f64, usize)> =
+            strokes.sections.iter().map(|s| (s.to.law(1.0).value(q), s.area)).collect();
+        profile_parts::check(STROKES, &areas, &sections, findings);
+        if findings.len() > before {
+            break;
+        }
+    }
     for (k, area) in strokes.areas.iter().enumerate() {
         if area.dresser > dressers {
             findings.push(no_dresser(format!("{STROKES}.areas[{k}].dresser"), area.dresser, dressers));
@@ -99,7 +107,7 @@ fn beside(job: &Job, dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
                     "a dresser carries a profile only, the same all round",
                     place,
                     format!("{:?}", entry.kind()),
-                    "a kind of profile modification or relief at tip or root, or a sum of such",
+                    super::tool::OF_PROFILE,
                     "use a profile kind, e.g. \"profile_crowning\"",
                 );
             }
@@ -142,7 +150,7 @@ fn beside(job: &Job, dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
             "dress one flank after the other: dressing.flanks = \"one\"",
         );
     }
-    if dressing.conditions != Dressing::default().conditions || !dressing.fixed().is_empty() {
+    if !dressing.has_usual_conditions() {
         refuse(
             "every stroke meets three points of its section and lays the end of its area on the end of the section",
             "dressing.conditions".into(),

@@ -1,5 +1,6 @@
 //! `[stock]` and `[technology]` against each other and against the worm.
 
+use super::roughing;
 use crate::job::{CycleRule, Job, StrokeOfJob, StrokeZone, Technology};
 use foundation::geometry::Flank;
 use job::{Diagnostic, Problem, shown_number};
@@ -250,8 +251,10 @@ fn stroke(job: &Job, technology: &Technology, k: usize, findings: &mut Vec<Diagn
         let Some(value) = given else { continue };
         let why = match (finishes, areas) {
             (true, _) => "the flank depends on how the stroke that leaves nothing shifts: the plan decides",
-            (false, true) => "strokes that leave stock shift as their areas lie on the worm",
-            (false, false) => continue,
+            (false, true) if name == "shift.origin" => {
+                "strokes that leave stock begin where their areas lie on the worm"
+            }
+            (false, _) => continue,
         };
         findings.push(
             Diagnostic::new(Problem::InvalidJob, why)
@@ -261,6 +264,7 @@ fn stroke(job: &Job, technology: &Technology, k: usize, findings: &mut Vec<Diagn
                 .way_out("leave it out, or give grinding.diagonal_ratio or grinding.roughing_ratio"),
         );
     }
+    roughing::area_of_stroke(job, technology, (k, finishes), findings);
     if let Some(zone) = this.zone
         && (zone == StrokeZone::All) == areas
     {

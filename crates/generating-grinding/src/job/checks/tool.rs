@@ -1,7 +1,8 @@
 //! Contradictions between `[worm]`, `[dresser]` and `[dressing]`: who profiles the tool, and with what.
 
+use super::conditions;
 use crate::job::{
-    Condition, DesignedFor, Dresser, DresserContact, DresserModification, Dressing, DressingFlanks, Job,
+    DesignedFor, Dresser, DresserContact, DresserModification, Dressing, DressingFlanks, FlankForm, Job,
     ProfileCrowningBy, Tool,
 };
 use job::checks::{contradiction, dresser_diameters, inside_tip, not_yet, root_clearance, worm_diameters};
@@ -53,10 +54,9 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
         (None, Tool::Given | Tool::Made) => {}
     }
     if tool == Tool::Dressed {
-        dressing(&job.dressing, findings);
-        let rows = Dressing::default();
+        conditions::check(&job.dressing, findings);
         if job.dresser.as_ref().is_some_and(|d| d.designed_for.is_some())
-            && (job.dressing.conditions != rows.conditions || !job.dressing.fixed().is_empty())
+            && !job.dressing.has_usual_conditions()
         {
             findings.push(
                 Diagnostic::new(
@@ -87,23 +87,80 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
     flanks(job, findings);
 }
 
+/// What asks for the motion of one dressing stroke in line contact is refused for every other tool.
+pub(super) fn dressed_in_one_stroke(job: &Job, field: &str, findings: &mut Vec<Diagnostic>) {
+    let other = if job.worm.tool != Tool::Dressed {
+        "a tool that is not dressed"
+    } else if job.point_dresser().is_some() {
+        "a disc in point contact"
+    } else if job.dressing.strokes.is_some() {
+        "dressing in several strokes"
+    } else {
+        return;
+    };
+    findings.push(contradiction(
+        "this is found for worms that a disc dresses in line contact with one stroke",
+        field,
+        other.into(),
+        "no table, or a worm that is dressed in one stroke",
+        "leave the table out",
+    ));
+}
+
+/// Flanks that are no involutes: of a cylindrical tool that exists.
+fn form(job: &Job, findings: &mut Vec<Diagnostic>) {
+    let (worm, form) = (&job.worm, job.worm.flank_form);
+    if form != FlankForm::Zi && worm.tool != Tool::Given {
+        findings.push(contradiction(
+            "a tool that is dressed or made has the flanks that its plan gives it",
+            "worm.flank_form",
+            format!("\"{}\"", form.name()),
+            "no key, or worm.tool = \"given\"",
+            "use tool = \"given\", or leave the form out",
+        ));
+    }
+    if form != FlankForm::Zi && worm.cone_angle_deg != 0.0 {
+        findings.push(contradiction(
+            "the flank forms ZA, ZN and ZK are those of cylindrical worms",
+            "worm.cone_angle_deg",
+            shown_number(worm.cone_angle_deg),
+            "0 beside worm.flank_form",
+            "leave the cone angle or the form out",
+        ));
+    }
+    match (form == FlankForm::Zk, worm.form_disc_diameter) {
+        (true, None) => findings.push(
+            Diagnostic::new(Problem::MissingKey, "the flanks of a ZK worm depend on the disc that made them")
+                .field("worm.form_disc_diameter")
+                .allowed("the diameter of the disc in mm")
+                .way_out("give the diameter of the disc where it touches the worm's pitch cylinder"),
+        ),
+        (false, Some(diameter)) => findings.push(contradiction(
+            "only a ZK worm is made by a disc with straight sides",
+            "worm.form_disc_diameter",
+            shown_number(diameter),
+            "no key, or worm.flank_form = \"ZK\"",
+            "leave the diameter out, or give the form ZK",
+        )),
+        _ => {}
+    }
+}
+
 /// Modifications and line direction of a tool that is not dressed.
 fn flanks(job: &Job, findings: &mut Vec<Diagnostic>) {
     let tool = job.worm.tool;
+    form(job, findings);
     if let Some(given) = &job.worm.modifications {
-        if tool != Tool::Given {
+        if tool == Tool::Made {
             findings.push(
                 Diagnostic::new(
                     Problem::InvalidJob,
-                    format!(
-                        "only a tool that exists carries modifications; worm.tool is \"{}\"",
-                        tool.name()
-                    ),
+                    "a tool that is made for the target has the flanks that the plan computes",
                 )
                 .field("worm.modifications")
                 .value(format!("{} entries", given.len()))
-                .allowed("no key, or worm.tool = \"given\"")
-                .way_out("use tool = \"given\", or ask for the flank of the gear in [target]"),
+                .allowed("no key, or worm.tool = \"given\" or \"dressed\"")
+                .way_out("use tool = \"given\" for a tool that exists, or \"dressed\" for a worm that is to be dressed so"),
             );
         }
         for (i, entry) in given.iter().enumerate().filter(|(_, entry)| !TOOL_KINDS.contains(&entry.kind())) {
@@ -193,9 +250,18 @@ fn contact(dresser: &Dresser, dressing: &Dressing, findings: &mut Vec<Diagnostic
 
 fn dresser(dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
     dresser_diameters("dresser", dresser.pitch_diameter, dresser.tip_diameter, findings);
-    if let Some(there) = &dresser.designed_for {
+    existing_dresser(&dresser.modification, dresser.designed_for.as_ref(), findings);
+}
+
+/// A dresser that exists: it carries a profile only, and one that was designed for another worm is not made for the target.
+pub fn existing_dresser(
+    modification: &DresserModification,
+    made_for: Option<&DesignedFor>,
+    findings: &mut Vec<Diagnostic>,
+) {
+    if let Some(there) = made_for {
         designed_for(there, findings);
-        if dresser.modification.given().is_none() {
+        if modification.given().is_none() {
             findings.push(
                 Diagnostic::new(
                     Problem::InvalidJob,
@@ -208,9 +274,9 @@ fn dresser(dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
             );
         }
     }
-    for (i, entry) in dresser.modification.given().unwrap_or_default().iter().enumerate() {
+    for (i, entry) in modification.given().unwrap_or_default().iter().enumerate() {
         if !of_profile(entry) {
-            let place = match &dresser.modification {
+            let place = match modification {
                 DresserModification::Sum(_) => format!("dresser.modification[{i}].kind"),
                 _ => "dresser.modification.kind".into(),
             };
@@ -218,17 +284,21 @@ fn dresser(dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
                 Diagnostic::new(Problem::InvalidJob, "a dresser carries a profile only, the same all round")
                     .field(place)
                     .value(format!("{:?}", entry.kind()))
-                    .allowed("a kind of profile modification or relief at tip or root, or a sum of such")
+                    .allowed(OF_PROFILE)
                     .way_out("use a profile kind, e.g. \"profile_crowning\""),
             );
         }
     }
 }
 
-/// Whether a modification depends on the profile only, by its kind.
+/// What a dresser may carry.
+pub(super) const OF_PROFILE: &str = "a kind of profile modification, a relief at tip or root, a polynomial or formula of the profile alone, or a sum of such";
+
+/// Whether a modification may depend on the profile only, by its kind; of polynomials and formulas their terms tell it.
 pub(super) fn of_profile(entry: &Modification) -> bool {
     match entry {
         Modification::Sum(sum) => !sum.children.is_empty() && sum.children.iter().all(of_profile),
+        Modification::Polynomial(_) | Modification::Formula(_) => true,
         other => ["profile_", "tip_", "root_"].iter().any(|start| other.kind().starts_with(start)),
     }
 }
@@ -302,46 +372,6 @@ fn two_flanks(job: &Job, findings: &mut Vec<Diagnostic>) {
             "\"correction\"".into(),
             "\"auto\", \"dresser\" or \"diagonal\"",
             "let the dresser carry the profile crowning",
-        );
-    }
-}
-
-fn dressing(dressing: &Dressing, findings: &mut Vec<Diagnostic>) {
-    let rows = dressing.rows();
-    if rows != 4 {
-        findings.push(
-            Diagnostic::new(Problem::InvalidJob, format!("the dressing conditions give {rows} equations for 4 motions"))
-                .field("dressing.conditions")
-                .value(rows)
-                .allowed("4: `three-point` counts 3, `four-point` 4, every other condition and every motion left out of \
-                     `degrees_of_freedom` 1")
-                .way_out("use [\"three-point\", \"radius-map\"], the default"),
-        );
-    }
-    let points = [Condition::ThreePoint, Condition::FourPoint];
-    if rows == 4 && !points.iter().any(|condition| dressing.conditions.contains(condition)) {
-        let names: Vec<String> = dressing.conditions.iter().map(|c| format!("{c:?}")).collect();
-        findings.push(
-            Diagnostic::new(Problem::InvalidJob, "the dressing conditions ask for no profile")
-                .field("dressing.conditions")
-                .value(names.join(", "))
-                .allowed("among them \"three-point\" or \"four-point\"")
-                .way_out("use [\"three-point\", \"radius-map\"], the default"),
-        );
-    }
-    let default = Dressing::default();
-    if dressing.flanks == DressingFlanks::Two
-        && (dressing.conditions != default.conditions || !dressing.fixed().is_empty())
-    {
-        findings.push(
-            Diagnostic::new(
-                Problem::InvalidJob,
-                "one motion for both flanks has conditions of its own: two points on each",
-            )
-            .field("dressing.conditions")
-            .value("given beside dressing.flanks = \"two\"")
-            .allowed("no conditions and no degrees_of_freedom, or dressing.flanks = \"one\"")
-            .way_out("leave `conditions` and `degrees_of_freedom` out"),
         );
     }
 }

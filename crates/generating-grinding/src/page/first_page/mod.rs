@@ -39,7 +39,7 @@ pub(super) fn sheets(outcome: &Outcome) -> Vec<Sheet> {
     }
     vec![
         settings,
-        times(outcome.programs.as_ref(), removal),
+        times(outcome.programs.as_ref(), removal, outcome.prepared.names_machine),
         prepared.measures.sheet(finished, stocked.as_ref()),
         tools::worm(outcome),
         tools::dresser(outcome),

@@ -6,10 +6,13 @@ use crate::workflow::removal::RemovalResult;
 use report::{Quantity, Sheet};
 
 /// The list; without programs it says why there is none.
-pub fn times(programs: Option<&RunPrograms>, removal: Option<&RemovalResult>) -> Sheet {
+pub fn times(programs: Option<&RunPrograms>, removal: Option<&RemovalResult>, names_machine: bool) -> Sheet {
     let mut sheet = Sheet::new("Times", Vec::new());
     let Some(first) = programs.and_then(|of| of.result.programs.first()) else {
-        return sheet.remark("Not known: no programs, the job names no machine.");
+        return sheet.remark(match names_machine {
+            true => "Not known: there are no programs.",
+            false => "Not known: no programs, the job names no machine.",
+        });
     };
     let all = programs.iter().flat_map(|of| &of.result.programs).filter(|p| p.control == first.control);
     let of = |job: &str| -> f64 {

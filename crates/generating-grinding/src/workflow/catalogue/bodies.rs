@@ -37,7 +37,7 @@ fn dresser(job: &Job, entry: &DresserEntry) -> CatalogueDresser {
             tip_radius: 0.5 * entry.tip_diameter,
             pitch_radius: entry.pitch_diameter.map(|d| 0.5 * d),
         },
-        designed_for: designed_worm(job, there),
+        designed_for: designed_worm(&job.gear, job.worm_hand(), there),
         designed_right_angle: there.normal_pressure_angle_deg.map(|given| given.sides().right.to_radians()),
         designed_module: there.normal_module,
         crowning: entry.profile_crowning_um.sides().map(|_, um| um * 1e-3),

@@ -1,6 +1,8 @@
 //! `explore.json`, `explore.csv` and `explore.html` of a ranked catalogue. Every file appears whole or not at all.
 
 use super::outcome::{CatalogueOutcome, CataloguePair, LifeCurve, LifePoint, PairFlank};
+use super::plans_page::{plan_figures, plan_sections};
+use super::whole::PairPlan;
 use foundation::geometry::Flank;
 use job::{Cell, Column, CsvError, CsvTable};
 use report::charts::{ChartError, LineChart, Panel, Series, Svg, format_significant, line_chart};
@@ -47,6 +49,21 @@ const OF_FLANKS: [[OfFlank; 8]; 2] = [
     ],
 ];
 
+/// A figure of a plan with its column.
+type OfPlan = (Column, fn(&PairPlan) -> f64);
+
+const OF_PLAN: [OfPlan; 4] = [
+    (Column::new("deviation", "um"), |p| p.deviation_um),
+    (Column::new("tolerance_share", ""), |p| p.tolerance_share),
+    (Column::new("diagonal_ratio", ""), |p| p.diagonal_ratio),
+    (Column::new("used_width", "mm"), |p| p.used_width_mm),
+];
+
+const RANGES: [[Column; 2]; 2] = [
+    [Column::new("left_least_crowning", "um"), Column::new("left_largest_crowning", "um")],
+    [Column::new("right_least_crowning", "um"), Column::new("right_largest_crowning", "um")],
+];
+
 /// All pairs in the order of the ranking.
 fn table(outcome: &CatalogueOutcome) -> Result<CsvTable, CsvError> {
     let mut columns = vec![
@@ -60,6 +77,12 @@ fn table(outcome: &CatalogueOutcome) -> Result<CsvTable, CsvError> {
         Column::new("life_ended_by", ""),
     ];
     columns.extend(OF_FLANKS.iter().flatten().map(|(column, _)| *column));
+    columns.extend(OF_PLAN.iter().map(|(column, _)| *column));
+    for (flank, columns_of) in Flank::BOTH.into_iter().zip(RANGES) {
+        if outcome.wanted_over_width.contains_key(flank.name()) {
+            columns.extend(columns_of);
+        }
+    }
     columns.push(Column::new("refused", ""));
     columns.push(Column::new("reason", ""));
     let mut table = CsvTable::new(&columns);
@@ -79,6 +102,13 @@ fn table(outcome: &CatalogueOutcome) -> Result<CsvTable, CsvError> {
         for (flank, quantities) in Flank::BOTH.into_iter().zip(&OF_FLANKS) {
             let known = pair.flanks.get(flank.name());
             row.extend(quantities.iter().map(|(_, value)| number(known.and_then(value))));
+        }
+        row.extend(OF_PLAN.iter().map(|(_, value)| number(pair.plan.as_ref().map(value))));
+        for flank in Flank::BOTH {
+            if outcome.wanted_over_width.contains_key(flank.name()) {
+                let range = pair.crowning_range.get(flank.name());
+                row.extend([number(range.map(|r| r.least_um)), number(range.map(|r| r.largest_um))]);
+            }
         }
         row.push(pair.refused.as_ref().map_or(Cell::Empty, |refused| Cell::Word(refused.code)));
         row.push(pair.refused.as_ref().map_or(Cell::Empty, |refused| Cell::Word(&refused.text)));
@@ -109,11 +139,12 @@ pub fn percent(x: Option<f64>) -> String {
 /// [`ChartError`] for numbers that cannot be drawn.
 pub fn page(outcome: &CatalogueOutcome) -> Result<PlanReport, ChartError> {
     let shown = if outcome.ok > 0 { "the first one of the ranking" } else { "the one that comes nearest" };
-    let headline = format!(
-        "{} of {} pairs make the profile. The figures are those of {shown}.",
-        outcome.ok,
-        outcome.pairs.len()
-    );
+    let (ok, all) = (outcome.ok, outcome.pairs.len());
+    let headline = if outcome.is_by_plans() {
+        format!("{ok} of {all} pairs meet the target as planned. The figures are those of {shown}.")
+    } else {
+        format!("{ok} of {all} pairs make the profile. The figures are those of {shown}.")
+    };
     let figures = outcome.pairs.first().map_or_else(Vec::new, |pair| {
         let mut figures = vec![
             Fact::new("Worm", pair.worm.clone()),
@@ -125,6 +156,7 @@ pub fn page(outcome: &CatalogueOutcome) -> Result<PlanReport, ChartError> {
             Fact::new("Stretch P", format!("{} %", fixed(pair.largest(|f| 100.0 * f.stretch), 2))),
             Fact::new("Profile error", format!("{} µm", fixed(pair.largest(|f| f.profile_error_um), 3))),
         ];
+        figures.extend(plan_figures(pair));
         if let Some(life) = &pair.life {
             let pitch = |d: f64| fixed(Some(d), 2);
             figures.push(Fact::new(
@@ -143,6 +175,9 @@ pub fn page(outcome: &CatalogueOutcome) -> Result<PlanReport, ChartError> {
         None => Vec::new(),
     };
     sections.push(Section::new("all-pairs", "All pairs", pairs));
+    if outcome.is_by_plans() {
+        sections.extend(plan_sections(outcome)?);
+    }
     if let Some(svg) = life_chart(&outcome.lives)? {
         let caption = "From the present worm to the worn one, left flank (else the one that is ground). Without corrections: the \
             profile crowning that stands on the gear if only distance and phase are set; with them it is the wanted one. Filled: \
@@ -174,6 +209,9 @@ fn matrix(outcome: &CatalogueOutcome) -> Option<Table> {
     let cell = |worm: &String, dresser: &String| {
         let pair = outcome.pairs.iter().find(|p| p.worm == *worm && p.dresser == *dresser);
         pair.map_or_else(String::new, |p| match &p.refused {
+            Some(_) if p.plan.is_some() => {
+                format!("{} µm", fixed(p.plan.as_ref().map(|plan| plan.deviation_um), 2))
+            }
             None => format!("✓ {} %", percent(p.largest_share_of_limit)),
             Some(refused) => match refused.code {
                 "axis-limit" => format!("{} %", percent(p.largest_share_of_limit)),
@@ -192,8 +230,13 @@ fn matrix(outcome: &CatalogueOutcome) -> Option<Table> {
         caption: String::new(),
         columns,
         rows: outcome.worms.iter().map(row).collect(),
-        note: "Largest share of an axis limit that the pair takes, or why it does not make the profile."
-            .into(),
+        note: if outcome.is_by_plans() {
+            "Largest share of an axis limit that the plan of the pair takes; where it misses the target, what it leaves; else why there is no \
+             plan."
+        } else {
+            "Largest share of an axis limit that the pair takes, or why it does not make the profile."
+        }
+        .into(),
     })
 }
 
@@ -253,6 +296,7 @@ fn ranking(outcome: &CatalogueOutcome) -> Table {
     let row = |p: &CataloguePair| {
         let verdict = match (&p.refused, p.life.as_ref().and_then(|life| life.ended_by.as_ref())) {
             (Some(refused), _) => refused.text.clone(),
+            (None, _) if p.plan.is_some() => "meets the target as planned".into(),
             (None, Some(end)) => format!("makes it; before the worm is used up it ends: {}", end.text),
             (None, None) => "makes it".into(),
         };
@@ -327,8 +371,12 @@ fn limits(outcome: &CatalogueOutcome) -> Table {
         caption: String::new(),
         columns: vec![PageColumn::symbols("Quantity"), PageColumn::text("Limit")],
         rows,
-        note: "Of the target the profile crowning alone is ranked; planning makes the whole flank with the best pair and has it \
-            proven."
-            .into(),
+        note: if outcome.is_by_plans() {
+            "Figures of dressing are those of the profile crowning of the target over the whole width; plans and their verdict are of the \
+             whole flank."
+        } else {
+            "Of the target the profile crowning alone is ranked; planning makes the whole flank with the best pair and has it proven."
+        }
+        .into(),
     }
 }

@@ -7,9 +7,12 @@ pub mod free;
 pub mod free_files;
 pub mod outcome;
 pub mod plan;
+mod plans_page;
 mod summary;
 pub mod task;
 mod variant;
+mod whole;
+mod width;
 
 pub use files::write_catalogue;
 pub use free::{FreeOutcome, FreePair, FreePoint, FreeRange, study_free_worm};
@@ -20,6 +23,8 @@ pub use outcome::{
 pub use plan::plan_from_catalogue;
 pub use summary::PlannedPair;
 pub use task::MOST_PAIRS;
+pub use whole::PairPlan;
+pub use width::{CrowningAt, PairRange};
 
 use crate::catalogue::LoadedCatalogue;
 use crate::job::LoadedJob;
@@ -29,18 +34,20 @@ use rayon::prelude::*;
 use run::RunFailure;
 use std::collections::BTreeMap;
 use task::Task;
+use whole::{WholePair, rank_by_plans};
 
 /// Pairs whose whole life is shown.
 const LIVES: usize = 3;
 /// Diameters of a life.
 const LIFE_ROWS: usize = 17;
 
-/// Ranks all pairs of a catalogue for the profile crowning that the job's target asks for.
+/// Ranks all pairs of a catalogue for the profile crowning that the job's target asks for, or, if the job says so, by what plans of the
+/// whole target leave.
 ///
 /// The same job and catalogue give the same outcome on any number of threads.
 ///
 /// # Errors
-/// [`RunFailure`]: an impossible gear or target, more than [`MOST_PAIRS`]. Pairs that do not make the profile are listed with their
+/// [`RunFailure`]: an impossible gear or target, more than [`MOST_PAIRS`], what is wrong with a plan for every pair. Pairs that do not make the profile are listed with their
 /// reason.
 pub fn rank_catalogue(
     loaded: &LoadedJob,
@@ -48,8 +55,8 @@ pub fn rank_catalogue(
     progress: &dyn Progress,
 ) -> Result<CatalogueOutcome, RunFailure> {
     let task = Task::new(loaded, catalogue)?;
-    let (ranked, lives) = ranked(&task, progress);
-    Ok(CatalogueOutcome::new(loaded, &catalogue.catalogue, &task, &ranked, lives))
+    let ranked = ranked(loaded, catalogue, &task, progress)?;
+    Ok(CatalogueOutcome::new(loaded, &catalogue.catalogue, &task, &ranked))
 }
 
 /// Profile crowning that the job asks of the pairs of its catalogue, um from form to tip diameter by flank: what can be said
@@ -64,13 +71,47 @@ pub fn wanted_of_catalogue(
     Ok(outcome::wanted_um(&Task::new(loaded, catalogue)?))
 }
 
+/// Pairs in their order, each with what was found beside its figures, and the life of the first ones.
+struct Ranking {
+    pairs: Vec<(RankedPair, WholePair)>,
+    lives: Vec<LifeCurve>,
+    /// Whether plans decide.
+    by_plans: bool,
+}
+
+impl Ranking {
+    /// Whether a pair makes what the ranking goes by.
+    fn is_ok(&self, (pair, whole): &(RankedPair, WholePair)) -> bool {
+        if self.by_plans { whole.is_met() } else { pair.is_ok() }
+    }
+
+    /// Pairs of which a plan with all effort may come to something, the best first.
+    fn worth_planning(&self) -> impl Iterator<Item = &RankedPair> {
+        let worth = |(pair, whole): &&(RankedPair, WholePair)| {
+            if self.by_plans { whole.is_planned() } else { pair.is_ok() }
+        };
+        self.pairs.iter().take_while(worth).map(|(pair, _)| pair)
+    }
+}
+
 /// The ranking, and the life of its first pairs.
-fn ranked(task: &Task, progress: &dyn Progress) -> (Vec<RankedPair>, Vec<LifeCurve>) {
+fn ranked(
+    loaded: &LoadedJob,
+    catalogue: &LoadedCatalogue,
+    task: &Task,
+    progress: &dyn Progress,
+) -> Result<Ranking, RunFailure> {
     let search = task.search();
-    let ranked = search.run(progress);
-    let best: Vec<&RankedPair> = ranked.iter().filter(|pair| pair.is_ok()).take(LIVES).collect();
-    let lives = best.par_iter().filter_map(|pair| life(task, &search, pair)).collect();
-    (ranked, lives)
+    let by_profile = search.run(progress);
+    let pairs = match &task.whole {
+        Some(over) => rank_by_plans(loaded, &catalogue.catalogue, (task, over), by_profile, progress)?,
+        None => by_profile.into_iter().map(|pair| (pair, WholePair::default())).collect(),
+    };
+    let mut ranking = Ranking { pairs, lives: Vec::new(), by_plans: task.whole.is_some() };
+    let ok = ranking.pairs.iter().filter(|pair| ranking.is_ok(pair) && pair.0.is_ok());
+    let best: Vec<&RankedPair> = ok.take(LIVES).map(|(pair, _)| pair).collect();
+    ranking.lives = best.par_iter().filter_map(|pair| life(task, &search, pair)).collect();
+    Ok(ranking)
 }
 
 /// The life of a pair; nothing where the worm does not shrink.

@@ -1,6 +1,9 @@
 //! What a search in a catalogue found, as the document of `explore.json`.
 
+use super::Ranking;
 use super::task::Task;
+use super::whole::{PairPlan, WholePair};
+use super::width::{CrowningAt, PairRange};
 use crate::catalogue::Catalogue;
 use crate::job::LoadedJob;
 use crate::workflow::explore::Refused;
@@ -15,6 +18,10 @@ use std::collections::BTreeMap;
 /// The rule of the ranking, in words.
 pub const PAIR_RANKING: &str = "pairs that make the profile first, then by the largest share of an axis limit; pairs that cannot \
     be dressed at all last";
+
+/// The rule of a ranking by plans, in words.
+pub const PLAN_RANKING: &str = "pairs whose plan meets the target first, by the largest share of an axis limit; then those that miss \
+    it, by what they leave over the tolerance; then those that were not planned; pairs that cannot be made last";
 
 impl From<&Refusal> for Refused {
     fn from(refusal: &Refusal) -> Self {
@@ -102,23 +109,62 @@ pub struct CataloguePair {
     pub flanks: BTreeMap<&'static str, PairFlank>,
     /// Remaining life of the worm with this dresser.
     pub life: Option<PairLife>,
-    /// Why the pair does not make the profile, if so.
+    /// What a plan of the whole target leaves; absent where pairs are ranked by their profile, or this one was not planned.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub plan: Option<PairPlan>,
+    /// Profile crownings that the pair can make by its dressing within the limits of the axes, by flank; absent where pairs are ranked by
+    /// their profile.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub crowning_range: BTreeMap<&'static str, PairRange>,
+    /// Why the pair does not make the profile or, ranked by plans, the target, if so.
     pub refused: Option<Refused>,
 }
 
+/// Why a pair does not make what the ranking goes by.
+fn refused(pair: &RankedPair, whole: &WholePair, by_plans: bool) -> Option<Refused> {
+    let of_profile = || pair.refusal.as_ref().map(Refused::from);
+    if !by_plans {
+        return of_profile();
+    }
+    match &whole.plan {
+        Some(Ok(plan)) => plan.reason.as_ref().map(|reason| Refused {
+            code: reason.code,
+            text: reason.text.clone(),
+            way_out: reason.way_out.to_string(),
+        }),
+        Some(Err(refused)) => Some(refused.clone()),
+        None => of_profile().or_else(|| {
+            Some(Refused {
+                code: "not-planned",
+                text: "the pair was not planned: others come before it by their crownings".into(),
+                way_out: "raise catalogue.plans to have it planned".into(),
+            })
+        }),
+    }
+}
+
 impl CataloguePair {
-    fn of(rank: usize, catalogue: &Catalogue, pair: &RankedPair) -> Self {
+    fn of(
+        rank: usize,
+        catalogue: &Catalogue,
+        (pair, whole): &(RankedPair, WholePair),
+        ranking: &Ranking,
+    ) -> Self {
+        let plan = whole.plan.as_ref().and_then(|plan| plan.as_ref().ok());
+        let named = |(flank, range): (Flank, &Option<PairRange>)| Some((flank.name(), (*range)?));
         let name = |name: Option<&String>| name.cloned().unwrap_or_default();
         Self {
             rank,
             worm: name(catalogue.worm.get(pair.worm).map(|w| &w.name)),
             dresser: name(catalogue.dresser.get(pair.dresser).map(|d| &d.name)),
-            ok: pair.is_ok(),
-            largest_share_of_limit: pair.cost(),
+            ok: if ranking.by_plans { whole.is_met() } else { pair.is_ok() },
+            largest_share_of_limit: plan.map(|plan| plan.largest_share_of_limit).or(pair.cost()),
             worm_pitch_diameter_mm: pair.figures.as_ref().map(|f| f.pitch_diameter),
             flanks: pair.figures.as_ref().map(flanks).unwrap_or_default(),
             life: pair.life.as_ref().map(PairLife::from),
-            refused: pair.refusal.as_ref().map(Refused::from),
+            plan: plan.cloned(),
+            crowning_range: whole.ranges.iter().filter_map(named).collect(),
+            refused: refused(pair, whole, ranking.by_plans),
         }
     }
 
@@ -192,6 +238,9 @@ pub struct CatalogueOutcome {
     pub tolerance_um: f64,
     /// Profile crowning that the target asks for from form to tip diameter, per flank, transverse.
     pub wanted_profile_crowning_um: BTreeMap<&'static str, f64>,
+    /// The same at positions over the width; absent where pairs are ranked by their profile.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub wanted_over_width: BTreeMap<&'static str, Vec<CrowningAt>>,
     /// Limits of the corrections: degrees, degrees, mm, mm.
     pub limits: CatalogueLimits,
     /// Worms of the catalogue, in its order.
@@ -200,7 +249,7 @@ pub struct CatalogueOutcome {
     pub dressers: Vec<String>,
     /// How the pairs are ranked.
     pub ranking: &'static str,
-    /// Number of pairs that make the profile.
+    /// Number of pairs that make the profile or, ranked by plans, the whole target.
     pub ok: usize,
     /// All pairs, the best first.
     pub pairs: Vec<CataloguePair>,
@@ -252,16 +301,13 @@ pub fn wanted_um(task: &Task) -> BTreeMap<&'static str, f64> {
 }
 
 impl CatalogueOutcome {
-    /// A ranked pair as the document gives it.
-    pub fn new(
-        loaded: &LoadedJob,
-        catalogue: &Catalogue,
-        task: &Task,
-        ranked: &[RankedPair],
-        lives: Vec<LifeCurve>,
-    ) -> Self {
+    /// The answer of a ranking.
+    pub(super) fn new(loaded: &LoadedJob, catalogue: &Catalogue, task: &Task, ranking: &Ranking) -> Self {
         let job = &loaded.job.job;
-        let pair = |(k, pair)| CataloguePair::of(k + 1, catalogue, pair);
+        let pair = |(k, pair)| CataloguePair::of(k + 1, catalogue, pair, ranking);
+        let ground = Flank::BOTH.into_iter().filter(|&flank| task.wanted.crowning[flank].is_some());
+        let over = task.whole.iter();
+        let wanted = over.flat_map(|over| ground.clone().map(|flank| (flank.name(), over.at(flank))));
         let title = JobTitle::new(job, loaded.job.output.language);
         Self {
             head: title.head("Generating grinding, worms and dressers of the catalogue"),
@@ -270,17 +316,23 @@ impl CatalogueOutcome {
             version: env!("CARGO_PKG_VERSION"),
             tolerance_um: task.tolerance_um,
             wanted_profile_crowning_um: wanted_um(task),
+            wanted_over_width: wanted.collect(),
             limits: CatalogueLimits::of(task),
             worms: catalogue.worm.iter().map(|w| w.name.clone()).collect(),
             dressers: catalogue.dresser.iter().map(|d| d.name.clone()).collect(),
-            ranking: PAIR_RANKING,
-            ok: ranked.iter().filter(|pair| pair.is_ok()).count(),
-            pairs: ranked.iter().enumerate().map(pair).collect(),
-            lives,
+            ranking: if ranking.by_plans { PLAN_RANKING } else { PAIR_RANKING },
+            ok: ranking.pairs.iter().filter(|pair| ranking.is_ok(pair)).count(),
+            pairs: ranking.pairs.iter().enumerate().map(pair).collect(),
+            lives: ranking.lives.clone(),
         }
     }
 
-    /// The best pair, if one makes the profile.
+    /// Whether pairs are ranked by plans of the whole target.
+    pub fn is_by_plans(&self) -> bool {
+        !self.wanted_over_width.is_empty()
+    }
+
+    /// The best pair, if one makes the profile or, ranked by plans, the target.
     pub fn best(&self) -> Option<&CataloguePair> {
         self.pairs.first().filter(|pair| pair.ok)
     }

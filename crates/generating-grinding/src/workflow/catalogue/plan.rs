@@ -1,4 +1,4 @@
-//! The best pair of a catalogue, planned: the ranking knows the profile only, the plan and its referee decide.
+//! The best pair of a catalogue, planned with all effort and programs: the plan and its referee decide, whatever the ranking went by.
 
 use super::outcome::CatalogueOutcome;
 use super::ranked;
@@ -27,13 +27,13 @@ pub fn plan_from_catalogue(
     progress: &dyn Progress,
 ) -> Result<PlannedPair, RunFailure> {
     let task = Task::new(loaded, catalogue)?;
-    let (pairs, lives) = ranked(&task, progress);
-    let ranking = CatalogueOutcome::new(loaded, &catalogue.catalogue, &task, &pairs, lives);
+    let found = ranked(loaded, catalogue, &task, progress)?;
+    let ranking = CatalogueOutcome::new(loaded, &catalogue.catalogue, &task, &found);
     let bodies = &catalogue.catalogue;
     let mut passed: Vec<String> = Vec::new();
     let mut best: Option<(f64, usize, LoadedJob, Outcome)> = None;
     let mut refusal = None;
-    for (k, pair) in pairs.iter().take_while(|pair| pair.is_ok()).take(TRIED).enumerate() {
+    for (k, pair) in found.worth_planning().take(TRIED).enumerate() {
         let (worm, dresser) = (&bodies.worm[pair.worm], &bodies.dresser[pair.dresser]);
         let variant = job_of_pair(loaded, &task, worm, dresser);
         match plan_job(&variant, progress) {
@@ -76,13 +76,19 @@ fn remark(ranking: &CatalogueOutcome, rank: usize, mut passed: Vec<String>) -> R
     passed.retain(|text| !text.starts_with(&format!("{worm} with {dresser}")));
     let others =
         if passed.is_empty() { String::new() } else { format!("; passed over: {}", passed.join("; ")) };
+    let (ok, all) = (ranking.ok, ranking.pairs.len());
+    let text = if ranking.is_by_plans() {
+        format!(
+            "worm {worm} and dresser {dresser} are number {rank} in the ranking by plans, in which {ok} of {all} pairs meet the target{others}"
+        )
+    } else {
+        format!(
+            "worm {worm} and dresser {dresser} are number {rank} of {ok} pairs that make the profile, of {all} in the catalogue{others}"
+        )
+    };
     Remark {
         code: "chosen-from-catalogue",
-        text: format!(
-            "worm {worm} and dresser {dresser} are number {rank} of {} pairs that make the profile, of {} in the catalogue{others}",
-            ranking.ok,
-            ranking.pairs.len()
-        ),
+        text,
         way_out: "explore.html ranks all pairs; to plan another one, give it as [worm] and [dresser]".into(),
     }
 }
@@ -92,8 +98,9 @@ fn nothing_fits(ranking: &CatalogueOutcome) -> RunFailure {
     let first = ranking.pairs.first();
     let text = match first.and_then(|pair| Some((pair, pair.refused.as_ref()?))) {
         Some((pair, refused)) => format!(
-            "none of the {} pairs of the catalogue makes the profile; the nearest, worm {} with dresser {}: {}",
+            "none of the {} pairs of the catalogue makes the {}; the nearest, worm {} with dresser {}: {}",
             ranking.pairs.len(),
+            if ranking.is_by_plans() { "target" } else { "profile" },
             pair.worm,
             pair.dresser,
             refused.text

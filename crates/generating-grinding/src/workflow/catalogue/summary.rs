@@ -95,13 +95,18 @@ impl TaskOutcome for CatalogueOutcome {
     }
 
     fn conclusion(&self) -> Conclusion {
-        if self.best().is_some() { Conclusion::Done } else { Conclusion::NotProducible }
+        match (self.best(), self.pairs.iter().any(|pair| pair.plan.is_some())) {
+            (Some(_), _) => Conclusion::Done,
+            (None, true) => Conclusion::Missed,
+            (None, false) => Conclusion::NotProducible,
+        }
     }
 
     fn complaint(&self) -> Option<String> {
         let refused =
             self.pairs.first().and_then(|pair| pair.refused.as_ref()).filter(|_| self.best().is_none())?;
-        Some(format!("{}: no pair makes the profile: {}; {}", self.job, refused.text, refused.way_out))
+        let no_pair = if self.is_by_plans() { "meets the target" } else { "makes the profile" };
+        Some(format!("{}: no pair {no_pair}: {}; {}", self.job, refused.text, refused.way_out))
     }
 }
 
@@ -164,17 +169,75 @@ fn ranking(outcome: &CatalogueOutcome, top: usize, written: &[PathBuf]) -> Strin
     // Writing to a text cannot fail.
     let _ = writeln!(
         text,
-        "{}: {} of {} pairs make the profile crowning ({})",
+        "{}: {} of {} pairs {} ({})",
         outcome.job,
         outcome.ok,
         outcome.pairs.len(),
+        if outcome.is_by_plans() {
+            "meet the target, profile crowning on average"
+        } else {
+            "make the profile crowning"
+        },
         wanted.join(", ")
     );
+    if outcome.is_by_plans() {
+        by_plans(&mut text, outcome, top);
+    } else {
+        by_profile(&mut text, outcome, top);
+    }
+    let more = outcome.pairs.len().saturating_sub(top);
+    if more > 0 {
+        let _ = writeln!(text, "  and {more} more in explore.csv");
+    }
+    let _ = writeln!(text, "  ranked: {}", outcome.ranking);
+    if outcome.ok == 0
+        && let Some(refused) = outcome.pairs.first().and_then(|pair| pair.refused.as_ref())
+    {
+        let _ = writeln!(text, "  {}: {}", refused.code, refused.text);
+        let _ = writeln!(text, "  remedy: {}", refused.way_out);
+    }
+    if let Some(page) = written.last() {
+        let _ = writeln!(text, "  report: {}", page.display());
+    }
+    text
+}
+
+/// Rows of a ranking by plans.
+fn by_plans(text: &mut String, outcome: &CatalogueOutcome, top: usize) {
+    for (flank, wanted) in &outcome.wanted_over_width {
+        let at = |c: &super::CrowningAt| format!("{:.3} um at {} mm", c.wanted_um, c.z_mm);
+        let _ =
+            writeln!(text, "  {flank}: crowning {}", wanted.iter().map(at).collect::<Vec<_>>().join(", "));
+    }
+    if top > 0 {
+        let _ = writeln!(
+            text,
+            "{:>5}{:>10}{:>9}{:>10}  worm / dresser / verdict",
+            "rank", "left um", "share %", "K"
+        );
+    }
+    for pair in outcome.pairs.iter().take(top) {
+        let plan = pair.plan.as_ref();
+        let _ = write!(
+            text,
+            "{:>5}{:>10}{:>9}{:>10}  ",
+            pair.rank,
+            fixed(plan.map(|plan| plan.deviation_um), 3),
+            fixed(pair.largest_share_of_limit.map(|s| 100.0 * s), 1),
+            fixed(plan.map(|plan| plan.diagonal_ratio), 4)
+        );
+        let verdict = pair.refused.as_ref().map_or("meets it", |refused| refused.code);
+        let _ = writeln!(text, "{} / {} / {verdict}", pair.worm, pair.dresser);
+    }
+}
+
+/// Rows of a ranking by profiles.
+fn by_profile(text: &mut String, outcome: &CatalogueOutcome, top: usize) {
     if top > 0 {
         for (heading, width) in COLUMNS {
             let _ = write!(text, "{heading:>width$}");
         }
-        text += "worm / dresser / verdict\n";
+        text.push_str("worm / dresser / verdict\n");
     }
     for pair in outcome.pairs.iter().take(top) {
         let land = pair.flanks.values().filter_map(|f| f.largest_tip_land_mm).reduce(f64::min);
@@ -193,21 +256,6 @@ fn ranking(outcome: &CatalogueOutcome, top: usize, written: &[PathBuf]) -> Strin
         let verdict = pair.refused.as_ref().map_or("makes it", |refused| refused.code);
         let _ = writeln!(text, "{} / {} / {verdict}", pair.worm, pair.dresser);
     }
-    let more = outcome.pairs.len().saturating_sub(top);
-    if more > 0 {
-        let _ = writeln!(text, "  and {more} more in explore.csv");
-    }
-    let _ = writeln!(text, "  ranked: {}", outcome.ranking);
-    if outcome.ok == 0
-        && let Some(refused) = outcome.pairs.first().and_then(|pair| pair.refused.as_ref())
-    {
-        let _ = writeln!(text, "  {}: {}", refused.code, refused.text);
-        let _ = writeln!(text, "  remedy: {}", refused.way_out);
-    }
-    if let Some(page) = written.last() {
-        let _ = writeln!(text, "  report: {}", page.display());
-    }
-    text
 }
 
 fn working(outcome: &FreeOutcome, top: usize, written: &[PathBuf]) -> String {

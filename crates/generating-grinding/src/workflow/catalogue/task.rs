@@ -1,8 +1,9 @@
 //! The question that a job asks of a catalogue: which profile crowning, with which limits, on which gear.
 
 use super::bodies::bodies;
+use super::width::CrowningOverWidth;
 use crate::catalogue::LoadedCatalogue;
-use crate::job::{AxisLimits, CatalogueSource, LoadedJob};
+use crate::job::{AxisLimits, CatalogueSource, LoadedJob, RankBy};
 use crate::workflow::generating_finding;
 use crate::workflow::prepare::{axis_limits, tolerance_of_job, wanted_flanks};
 use dressing::catalogue::{CatalogueDresser, CatalogueSearch, CatalogueWorm, PairLimits, Wanted};
@@ -29,6 +30,10 @@ pub struct Task {
     pub limits: PairLimits,
     /// um, normal.
     pub tolerance_um: f64,
+    /// Length of roll from form to tip, mm.
+    pub involute: Sides<f64>,
+    /// Crownings that the target wants over the width, where pairs are ranked by plans of it.
+    pub whole: Option<CrowningOverWidth>,
 }
 
 impl Task {
@@ -53,7 +58,16 @@ impl Task {
         let evaluation = [range.start_diameter, range.end_diameter, range.z_start, range.z_end];
         let forms = blank.limits(&gear).map_err(|e| RunFailure::bad_input(geometry_finding(&e, "gear")))?;
         let tolerance = tolerance_of_job(loaded).map_err(RunFailure::bad_input)?.tightest();
-        let crowning = crowning(loaded, &gear, evaluation, &forms.map(|_, f| f.w_a - f.w_f))?;
+        let involute = forms.map(|_, f| f.w_a - f.w_f);
+        let (fields, targets) = targets(loaded, &gear, evaluation)?;
+        let crowning = crowning(&fields, &targets, &involute)?;
+        let whole = (source.rank_by == RankBy::WholeTarget)
+            .then(|| {
+                let [.., from, to] = evaluation;
+                let at = source.crowning_at.clone().unwrap_or_else(|| vec![from, 0.5 * (from + to), to]);
+                CrowningOverWidth::of_target(at, &fields, &targets, &involute).map_err(fault)
+            })
+            .transpose()?;
         Ok(Self {
             workshop: GearWorkshop { gear, blank, evaluation, root_clearance: source.root_clearance },
             worms,
@@ -65,6 +79,8 @@ impl Task {
             },
             limits: limits(source, job.grinding.axis_limits.unwrap_or_default()),
             tolerance_um: tolerance * 1e3,
+            involute,
+            whole,
         })
     }
 
@@ -104,15 +120,16 @@ fn check_count(pairs: usize) -> Result<(), RunFailure> {
     Err(RunFailure::bad_input(finding))
 }
 
-/// Profile crowning that the target asks for over the whole involute, per flank that is ground: the u^2 part of the target in the
-/// class that a given dresser serves, reliefs best-fitted. mm, transverse.
-fn crowning(
+fn fault(error: GeneratingError) -> RunFailure {
+    RunFailure::bad_input(generating_finding::generating_finding(&error))
+}
+
+/// Evaluated flanks of the gear with what is wanted on those that are ground.
+fn targets(
     loaded: &LoadedJob,
     gear: &Gear,
     [start, end, z_from, z_to]: [f64; 4],
-    involute: &Sides<f64>,
-) -> Result<Sides<Option<f64>>, RunFailure> {
-    let fault = |e: GeneratingError| RunFailure::bad_input(generating_finding::generating_finding(&e));
+) -> Result<(Sides<EvaluationField>, Sides<Option<Modification>>), RunFailure> {
     let fields = Sides::try_from_fn(|flank: Flank| -> Result<_, GeneratingError> {
         let f = gear.flank(flank);
         let roll = [f.length_of_roll(0.5 * start)?, f.length_of_roll(0.5 * end)?];
@@ -120,8 +137,18 @@ fn crowning(
     })
     .map_err(fault)?;
     let wanted = wanted_flanks(loaded, &fields).map_err(RunFailure::bad_input)?;
+    Ok((fields, wanted))
+}
+
+/// Profile crowning that the target asks for over the whole involute, per flank that is ground: the u^2 part of the target in the
+/// class that a given dresser serves, reliefs best-fitted. mm, transverse.
+fn crowning(
+    fields: &Sides<EvaluationField>,
+    targets: &Sides<Option<Modification>>,
+    involute: &Sides<f64>,
+) -> Result<Sides<Option<f64>>, RunFailure> {
     Sides::try_from_fn(|flank| {
-        let Some(target) = &wanted[flank] else { return Ok(None) };
+        let Some(target) = &targets[flank] else { return Ok(None) };
         let plain = Modification::none(&fields[flank]);
         let target = FlankTarget::with_given_dresser(target.clone(), plain).map_err(fault)?;
         Ok(Some(-target.polynomial.coefficient(2, 0) * (0.5 * involute[flank]).powi(2)))

@@ -1,7 +1,9 @@
 //! `explore.json`, `explore.csv` and `explore.html` of a study. Every file appears whole or not at all.
 
+use super::axes::{Axes, Varied};
 use super::{ExploreCandidate, ExploreOutcome};
 use foundation::geometry::Flank;
+use foundation::numerics::extremes;
 use job::{Cell, Column, CsvError, CsvTable};
 use report::charts::{ChartError, LineChart, Panel, Series, Svg, YScale, format_significant, line_chart};
 use report::{Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Stamp, Table, html};
@@ -76,62 +78,20 @@ fn table(outcome: &ExploreOutcome) -> Result<CsvTable, CsvError> {
     Ok(table)
 }
 
-/// A quantity of a candidate; `None` where it has none.
-type Quantity = fn(&ExploreCandidate) -> Option<f64>;
-
-/// What the abscissa of the chart shows and what tells its lines apart.
-struct Axes {
-    title: &'static str,
-    x: Quantity,
-    /// Names and values of what else varies.
-    others: Vec<(&'static str, Quantity)>,
-}
-
-impl Axes {
-    /// The ratio where it varies, else the first angle that does.
-    fn of(outcome: &ExploreOutcome) -> Self {
-        let all: [(&str, &'static str, &'static str, Quantity); 3] = [
-            ("diagonal_ratio", "diagonal ratio K", "K", |c| c.diagonal_ratio),
-            ("worm_cone_angle_deg", "cone angle of the worm [°]", "cone", |c| Some(c.worm_cone_angle_deg)),
-            ("crossed_axes_angle_deg", "crossed-axes angle [°]", "crossing", |c| c.crossed_axes_angle_deg),
-        ];
-        let varied = |name: &str| outcome.varied.contains(&name);
-        let mut varying = all.into_iter().filter(|(name, ..)| varied(name));
-        let (_, title, _, x) = varying.next().unwrap_or(all[0]);
-        Self { title, x, others: varying.map(|(_, _, short, value)| (short, value)).collect() }
-    }
-
-    fn line(&self, c: &ExploreCandidate) -> String {
-        let parts: Vec<String> = self
-            .others
-            .iter()
-            .map(|(name, value)| {
-                format!("{name} {}°", value(c).map_or("–".into(), |v| format_significant(v, 5)))
-            })
-            .collect();
-        if parts.is_empty() { "residual".into() } else { parts.join(", ") }
-    }
-}
-
-/// Points of one line of the chart: abscissa, residual in um and whether it is allowed; `None` where a combination failed.
-type Points = Vec<(f64, Option<(f64, bool)>)>;
+/// What varies: the abscissa is the ratio where it does, else the first angle that does.
+const VARIED: [Varied<ExploreCandidate>; 3] = [
+    ("diagonal_ratio", "diagonal ratio K", "K", |c| c.diagonal_ratio),
+    ("worm_cone_angle_deg", "cone angle of the worm [°]", "cone", |c| Some(c.worm_cone_angle_deg)),
+    ("crossed_axes_angle_deg", "crossed-axes angle [°]", "crossing", |c| c.crossed_axes_angle_deg),
+];
 
 /// The residual over the ratio; `None` where no combination has figures.
 fn chart(outcome: &ExploreOutcome) -> Result<Option<(Svg, String)>, ChartError> {
-    let axes = Axes::of(outcome);
-    let mut lines: Vec<(String, Points)> = Vec::new();
-    let mut left_out = false;
-    // The ranking brings the worms with the best candidates first.
-    for c in &outcome.candidates {
-        let Some(x) = (axes.x)(c) else { continue };
-        let name = axes.line(c);
-        let point = (x, c.residual_um.map(|r| (r, c.allowed)));
-        match lines.iter().position(|(known, _)| *known == name) {
-            Some(line) => lines[line].1.push(point),
-            None if lines.len() < LINES => lines.push((name, vec![point])),
-            None => left_out = true,
-        }
-    }
+    let Some(axes) = Axes::of(&VARIED, &outcome.varied) else { return Ok(None) };
+    // The ranking brings the worms with the best candidates first. A combination that failed has an abscissa and no figures.
+    let (mut lines, left_out) = axes.lines(&outcome.candidates, LINES, ("°", "residual"), |c, x| {
+        Some((x, c.residual_um.map(|residual| (residual, c.allowed))))
+    });
     let mut series = Vec::new();
     for (name, points) in &mut lines {
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -143,15 +103,12 @@ fn chart(outcome: &ExploreOutcome) -> Result<Option<(Svg, String)>, ChartError> 
             series.push(Series::new(name.clone(), x, y).marked(filled));
         }
     }
-    let ends = series
-        .iter()
-        .flat_map(|s| &s.x)
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| (f64::min(a, x), f64::max(b, x)));
-    if ends.0 > ends.1 {
+    let ends = extremes(series.iter().flat_map(|s| s.x.iter().copied()));
+    if ends[0] > ends[1] {
         return Ok(None);
     }
     let tolerance = format!("tolerance {} µm", format_significant(outcome.tolerance_um, 4));
-    series.push(Series::level(tolerance, [ends.0, ends.1], outcome.tolerance_um));
+    series.push(Series::level(tolerance, ends, outcome.tolerance_um));
     let panel = Panel {
         scale: YScale::Logarithmic,
         ..Panel::linear("largest residual on the ideal tool [µm]", 0.0, series)
@@ -169,7 +126,8 @@ fn chart(outcome: &ExploreOutcome) -> Result<Option<(Svg, String)>, ChartError> 
     Ok(Some((svg, caption)))
 }
 
-fn figure_text(x: Option<f64>, digits: usize) -> String {
+/// A figure of a candidate with so many significant digits; nothing where it has none.
+pub fn figure_text(x: Option<f64>, digits: usize) -> String {
     x.map_or_else(String::new, |x| format_significant(x, digits))
 }
 

@@ -1,14 +1,16 @@
 //! `explore`: every combination of cone angle, crossing angle and diagonal ratio judged by the rule of planning, ranked. Knows
 //! no user interface; refuses nothing but what is wrong for all combinations.
 
+mod axes;
 pub mod candidate;
 pub mod files;
 mod refused;
 mod summary;
 mod variant;
 
+pub use axes::{Axes, Varied};
 pub use candidate::{ExploreCandidate, FlankFigures};
-pub use files::write_exploration;
+pub use files::{figure_text, write_exploration};
 pub use refused::Refused;
 
 use super::equal_ratio_offers::{EqualRatioOffer, equal_ratio_offers};
@@ -88,9 +90,12 @@ enum Ratios {
 pub fn explore_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<ExploreOutcome, RunFailure> {
     let explore = loaded.job.explore.clone().unwrap_or_default();
     let nothing = explore == Explore::default();
-    let count = |steps: Option<Steps>| steps.map_or(1, |s| s.count);
-    let worms = count(explore.worm_cone_angle_deg).saturating_mul(count(explore.crossed_axes_angle_deg));
-    check_count(worms.saturating_mul(count(explore.diagonal_ratio)))?;
+    let counts = [explore.worm_cone_angle_deg, explore.crossed_axes_angle_deg, explore.diagonal_ratio];
+    check_count(
+        counts.map(Steps::count_of).into_iter().fold(1, usize::saturating_mul),
+        MOST_COMBINATIONS,
+        "",
+    )?;
     let base = with_own_ratio(loaded, nothing || explore.diagonal_ratio.is_some());
     let as_it_stands = prepare(&base);
     let tolerance = tolerance_of_job(loaded).map_err(RunFailure::bad_input)?;
@@ -143,19 +148,23 @@ pub fn explore_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Explor
     })
 }
 
-fn check_count(combinations: usize) -> Result<(), RunFailure> {
-    if combinations <= MOST_COMBINATIONS {
+/// Refuses steps of `[explore]` that make more than `most` combinations, each of which costs what `cost` says.
+///
+/// # Errors
+/// `too-many-combinations`.
+pub fn check_count(combinations: usize, most: usize, cost: &str) -> Result<(), RunFailure> {
+    if combinations <= most {
         return Ok(());
     }
     let finding = Diagnostic::with_code(
         "too-many-combinations",
-        format!("the steps of [explore] make {combinations} combinations"),
+        format!("the steps of [explore] make {combinations} combinations{cost}"),
     );
     Err(RunFailure::bad_input(
         finding
             .field("explore")
             .value(combinations)
-            .allowed(format!("up to {MOST_COMBINATIONS}"))
+            .allowed(format!("up to {most}"))
             .way_out("reduce a `count`; a coarse study first, then a fine one around its best"),
     ))
 }

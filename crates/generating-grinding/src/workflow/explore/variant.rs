@@ -19,11 +19,8 @@ const LARGEST_PITCH_DIAMETER: f64 = 2000.0;
 impl Variant {
     /// Every combination, cone angles outside.
     pub fn all(explore: &Explore) -> Vec<Self> {
-        let values = |steps: Option<Steps>| -> Vec<Option<f64>> {
-            steps.map_or_else(|| vec![None], |s| s.values().map(Some).collect())
-        };
-        let crossings = values(explore.crossed_axes_angle_deg);
-        values(explore.worm_cone_angle_deg)
+        let crossings = Steps::each(explore.crossed_axes_angle_deg);
+        Steps::each(explore.worm_cone_angle_deg)
             .into_iter()
             .flat_map(|cone_angle_deg| {
                 crossings

@@ -6,6 +6,7 @@ use contact::ContactError;
 use foundation::geometry::{Flank, Gear, Sides, WormChoice, worm_for_gear};
 use generating::{DresserChoice, GearRootChoice, GrindingSetup, SetupInput};
 use job::Diagnostic;
+use job::tables::{Gear as JobGear, Hand};
 use run::{RunFailure, blank_of_job, gear_of_job, geometry_finding};
 
 /// What the job chooses of its worm.
@@ -21,12 +22,12 @@ pub fn worm_choice_of_job(job: &Job) -> WormChoice {
     }
 }
 
-/// The worm that the job's dresser was designed for: of the hand of the one that it dresses.
-pub fn designed_worm(job: &Job, there: &DesignedFor) -> WormChoice {
-    let angles = there.normal_pressure_angle_deg.unwrap_or(job.gear.normal_pressure_angle_deg);
+/// The worm that a job's dresser was designed for: of the hand of the one that it dresses.
+pub fn designed_worm(gear: &JobGear, hand: Hand, there: &DesignedFor) -> WormChoice {
+    let angles = there.normal_pressure_angle_deg.unwrap_or(gear.normal_pressure_angle_deg);
     WormChoice {
         threads: i32::try_from(there.threads).unwrap_or(i32::MAX),
-        hand: job.worm_hand().sign(),
+        hand: hand.sign(),
         pitch_diameter: there.pitch_diameter,
         tip_diameter: there.tip_diameter,
         pressure_angle: Some(angles.sides().left.to_radians()),
@@ -36,7 +37,14 @@ pub fn designed_worm(job: &Job, there: &DesignedFor) -> WormChoice {
 }
 
 /// Refuses a worm for which no dresser was designed: an impossible one, pressure angles and a module with which it does not mesh.
-fn check_designed_worm(job: &Job, gear: &Gear, there: &DesignedFor) -> Result<(), Diagnostic> {
+///
+/// # Errors
+/// A finding on `dresser.designed_for`.
+pub fn check_designed_worm(
+    gear: &Gear,
+    (of_job, hand): (&JobGear, Hand),
+    there: &DesignedFor,
+) -> Result<(), Diagnostic> {
     const FIELD: &str = "dresser.designed_for";
     let own = gear.own_rack();
     let rack = match there.normal_pressure_angle_deg {
@@ -61,7 +69,8 @@ fn check_designed_worm(job: &Job, gear: &Gear, there: &DesignedFor) -> Result<()
             rack
         }
     };
-    worm_for_gear(gear, &designed_worm(job, there)).map_err(|e| geometry_finding(&e, FIELD).field(FIELD))?;
+    worm_for_gear(gear, &designed_worm(of_job, hand, there))
+        .map_err(|e| geometry_finding(&e, FIELD).field(FIELD))?;
     let module = rack.normal_module;
     match there.normal_module {
         Some(stated) if (stated - module).abs() > MATING * module => {
@@ -90,7 +99,7 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
     let blank = blank_of_job(&job.gear);
     blank.check(&gear).map_err(|e| RunFailure::bad_input(geometry_finding(&e, "gear")))?;
     if let Some(there) = job.dresser.as_ref().and_then(|d| d.designed_for.as_ref()) {
-        check_designed_worm(job, &gear, there).map_err(RunFailure::bad_input)?;
+        check_designed_worm(&gear, (&job.gear, job.worm_hand()), there).map_err(RunFailure::bad_input)?;
     }
     let range = job.gear.evaluation_range();
     let angle = job.worm_pressure_angle_deg().sides();
@@ -106,7 +115,7 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
         dresser: job.dresser.as_ref().filter(|_| point.is_none()).map(|d| DresserChoice {
             tip_diameter: d.tip_diameter,
             pitch_diameter: d.pitch_diameter,
-            designed_for: d.designed_for.map(|there| designed_worm(job, &there)),
+            designed_for: d.designed_for.map(|there| designed_worm(&job.gear, job.worm_hand(), &there)),
         }),
         tool_direction: direction.map(|given| given.sides().map(|_, rho| rho.to_radians().tan())),
         root_clearance: job.dresser.as_ref().and_then(|d| d.root_clearance),

@@ -1,6 +1,7 @@
 //! The grinding cycle of a job: feed, overrun, areas of the worm and the threads that grind.
 
 use crate::job::Job;
+use crate::workflow::roughing_pass::RoughingArea;
 use crate::workflow::stroke_plan::StrokePlan;
 use run::RunFailure;
 
@@ -17,9 +18,7 @@ pub struct Cycle {
     /// Finishing areas that the job asks for.
     pub areas: Option<usize>,
     /// Roughing areas beside them.
-    pub roughing_areas: usize,
-    /// Diagonal ratio in the roughing areas.
-    pub roughing_ratio: f64,
+    pub roughing: Vec<RoughingArea>,
     /// The strokes of a pass; `None` where every thread grinds.
     pub strokes: Option<StrokePlan>,
 }
@@ -38,8 +37,7 @@ impl Cycle {
             feed_per_revolution: grinding.feed_per_revolution,
             overrun: grinding.overrun.unwrap_or(LEAST_OVERRUN).max(LEAST_OVERRUN).max(mark),
             areas: grinding.areas.map(|n| n as usize),
-            roughing_areas: grinding.roughing_areas as usize,
-            roughing_ratio: grinding.roughing_ratio.unwrap_or(0.0),
+            roughing: RoughingArea::of_job(job),
             strokes: match &grinding.active_threads {
                 Some(active) => StrokePlan::of_active(threads, teeth, active)?,
                 None => None,

@@ -3,6 +3,7 @@
 //! the job's key.
 
 mod bodies;
+mod conditions;
 mod cycle;
 mod dressing;
 mod judged;
@@ -14,8 +15,9 @@ mod stock;
 mod strokes;
 mod targets;
 mod tools;
+mod wanted_worm;
 
-pub use bodies::{designed_worm, setup_of_job, worm_choice_of_job};
+pub use bodies::{check_designed_worm, designed_worm, setup_of_job, worm_choice_of_job};
 pub use cycle::Cycle;
 pub use dressing::{DressingTask, PointDresser};
 pub use judged::TracePlaces;
@@ -27,10 +29,15 @@ pub use removal::{
 pub use settings::GivenSettings;
 pub use stock::bodies_on_stock;
 pub use targets::{tolerance_of_job, wanted_flanks};
+pub use tools::dresser_profile;
 
 use super::equal_ratio_offers::free_lines;
-use crate::job::{DiagonalRatio, DiagonalRule, Grinding, LoadedJob, Method, Tool as JobTool};
+use crate::job::{
+    DiagonalRatio, DiagonalRule, Grinding, LoadedJob, MachineDeviations, Method, Tool as JobTool,
+};
+use crate::workflow::measured_worm::MeasuredWormTask;
 use crate::workflow::programs::technology::Technology;
+use conditions::{DresserPlaces, places_of_job, rows_of_job};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::MotionLaw;
 use foundation::modification::{ModificationSpec, ToleranceMap};
@@ -39,15 +46,19 @@ use generating::{FlankTarget, GrindingSetup, Tool};
 use job::machine::LoadedMachine;
 use job::tables::{Control, JobInfo, Output};
 use job::{Diagnostic, Problem};
+use metrology::Topography;
 use run::program_check::machine_of_job;
 use run::{RunFailure, ToothMeasures};
 use shift::shift_of_job;
+use std::f64::consts::TAU;
 use strokes::strokes_of_job;
 use targets::{JobTargets, is_ground, targets_of_job};
 use tools::tool_modifications;
 use verdict::Remark;
+use wanted_worm::gear_of_wanted_worm;
 
 /// A job made ready for planning.
+#[derive(Clone)]
 pub struct Prepared {
     /// Name, process and description of the job.
     pub info: JobInfo,
@@ -85,6 +96,10 @@ pub struct Prepared {
     pub names_machine: bool,
     /// The machine whose programs are wanted, once [`Prepared::on_machine`] has read it.
     pub machine: Option<LoadedMachine>,
+    /// Axes that are off, where the job asks what that leaves.
+    pub deviations: Option<MachineDeviations>,
+    /// A worm as it was measured.
+    pub measured_worm: Option<MeasuredWormTask>,
     /// The control that couples the axes.
     pub control: Option<Control>,
     /// What is written beside result and report.
@@ -115,6 +130,9 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
     if job.worm.tool == JobTool::Given {
         setup.tool = Tool::Given(Box::new(tool_modifications(loaded, &setup)?));
     }
+    if job.wants_worm() {
+        setup.wanted_worm = Some(Box::new(tool_modifications(loaded, &setup)?));
+    }
     let (tolerance, judged_on) = tolerance_over_flank(loaded, &setup).map_err(RunFailure::bad_input)?;
     let strokes = strokes_of_job(loaded, &setup)?;
     // In strokes the corrections make the whole profile, as a dresser made for the target would.
@@ -123,17 +141,31 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         Some(_) => None,
     };
     setup.strokes = strokes.map(Box::new);
+    let axial_pitch = TAU * setup.pair.worm.screw_parameter(Flank::Left).abs() / f64::from(job.worm.threads);
+    let rows = rows_of_job(&job.dressing, axial_pitch);
+    let rules = PlanningRules::of_job(job, rows, given.is_none())?;
+    let places = match given {
+        Some(_) => places_of_job(&setup, rows, &rules, job)?,
+        None => DresserPlaces::designed(),
+    };
+    let which: Vec<Flank> = Flank::BOTH.into_iter().filter(|&flank| is_ground(job, flank)).collect();
+    let follows = match &setup.wanted_worm {
+        Some(wanted) => Some(gear_of_wanted_worm(&setup, wanted, rules.known_ratio(), &which)?),
+        None => None,
+    };
+    let given = given.map(|given| (given, &places));
     let JobTargets { targets, reliefs, remarks: mut warnings } =
-        targets_of_job(loaded, &setup, given, &tolerance)?;
-    let rules = PlanningRules::of_job(job, given.is_none())?;
+        targets_of_job(loaded, &setup, given, &tolerance, follows)?;
     warnings.extend(remarks_on_bodies(&setup));
     warnings.extend(no_choice_of_ratio(&job.grinding));
-    if job.point_dresser().is_some() && job.dressing.line_direction_deg.is_none() {
+    if job.point_dresser().is_some()
+        && job.dressing.line_direction_deg.is_none()
+        && setup.wanted_worm.is_none()
+    {
         let remark;
         (setup, remark) = with_free_lines(setup, &targets);
         warnings.extend(remark);
     }
-    let which: Vec<Flank> = Flank::BOTH.into_iter().filter(|&flank| is_ground(job, flank)).collect();
     let shift = shift_of_job(job, &setup, &targets, &tolerance, &which)?;
     let cycle = Cycle::of_job(job)?;
     let dressing = DressingTask::of_job(job);
@@ -166,6 +198,8 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         dressing,
         names_machine: job.machine.is_some(),
         machine: None,
+        deviations: job.deviations.clone(),
+        measured_worm: MeasuredWormTask::of_job(loaded)?,
         control: job.control.clone(),
         output: job.output.clone(),
         warnings,
@@ -173,6 +207,12 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
 }
 
 impl Prepared {
+    /// Largest |deviation| over the tolerance at its place.
+    pub fn tolerance_share(&self, deviation: &Topography) -> f64 {
+        let points = deviation.w.iter().flat_map(|&w| deviation.z.iter().map(move |&z| (w, z)));
+        points.zip(&deviation.f).map(|((w, z), f)| f.abs() / self.tolerance.value(w, z)).fold(0.0, f64::max)
+    }
+
     /// The flanks that are ground.
     pub fn ground_flanks(&self) -> Vec<Flank> {
         Flank::BOTH.into_iter().filter(|&flank| self.targets[flank].is_some()).collect()

@@ -2,13 +2,13 @@
 
 use super::Prepared;
 use crate::job::{
-    AxisLimits, Condition, DegreeOfFreedom, DiagonalRatio, Dressing, DressingFlanks, Fit, Gauge, GaugeRule,
-    Job, Method, Prefer as Preference, ProfileCrowningBy,
+    AxisLimits, DiagonalRatio, Dressing, DressingFlanks, Fit, Gauge, GaugeRule, Job, Method,
+    Prefer as Preference, ProfileCrowningBy,
 };
 use generating::least_squares::FitNorm;
 use generating::{
-    DEFAULT_LEAST_DETERMINANT, DressingLimits, DressingRows, FlankRows, FreeCoefficients, PlanGauge,
-    PlanTask, Prefer, ProfilePlace,
+    DEFAULT_LEAST_DETERMINANT, DressingLimits, DressingRows, Effort, FreeCoefficients, PlanGauge, PlanTask,
+    Prefer, ProfilePlace,
 };
 use job::{Diagnostic, Problem};
 use run::RunFailure;
@@ -33,6 +33,8 @@ pub struct PlanningRules {
     prefer: Prefer,
     limits: DressingLimits,
     least_determinant: f64,
+    /// How long a better plan is looked for.
+    pub effort: Effort,
 }
 
 impl PlanningRules {
@@ -45,7 +47,7 @@ impl PlanningRules {
     ///
     /// # Errors
     /// A finding on `dressing.profile_crowning_by` for a crowning that a given dresser should carry.
-    pub(super) fn of_job(job: &Job, free_dresser: bool) -> Result<Self, RunFailure> {
+    pub(super) fn of_job(job: &Job, rows: DressingRows, free_dresser: bool) -> Result<Self, RunFailure> {
         let radial = job.grinding.method == Method::Radial;
         Ok(Self {
             radial,
@@ -67,7 +69,7 @@ impl PlanningRules {
                     PlanGauge::Given(FreeCoefficients { k_10: g.k_10, k_20: Some(g.k_20), k_k0: g.k_k0 })
                 }
             },
-            dressing: dressing_rows(&job.dressing),
+            dressing: rows,
             grid: (job.grid.profile_points, job.grid.helix_points),
             prefer: match job.grinding.prefer {
                 Some(Preference::Accuracy) => Prefer::Accuracy,
@@ -76,6 +78,7 @@ impl PlanningRules {
             },
             limits: axis_limits(job.grinding.axis_limits.unwrap_or_default()),
             least_determinant: job.grinding.least_determinant_ratio.unwrap_or(DEFAULT_LEAST_DETERMINANT),
+            effort: Effort::Full,
         })
     }
 
@@ -129,21 +132,6 @@ fn places(dressing: &Dressing, free_dresser: bool) -> Result<Vec<ProfilePlace>, 
     Ok(places)
 }
 
-/// The rows of the dressing motion as the job names them; that they are four has been checked.
-fn dressing_rows(dressing: &Dressing) -> DressingRows {
-    if dressing.flanks == DressingFlanks::Two {
-        return DressingRows::BothFlanks;
-    }
-    let has = |condition: Condition| dressing.conditions.contains(&condition);
-    let fixed = dressing.fixed();
-    DressingRows::Alone(FlankRows {
-        points: if has(Condition::FourPoint) { 4 } else { 3 },
-        map: has(Condition::RadiusMap),
-        head: has(Condition::Head),
-        fixed: DegreeOfFreedom::ALL.map(|axis| fixed.contains(&axis)),
-    })
-}
-
 impl Prepared {
     /// The task of planning this job.
     pub fn task(&self) -> PlanTask<'_> {
@@ -156,6 +144,7 @@ impl Prepared {
             limits: rules.limits,
             prefer: rules.prefer,
             least_determinant: rules.least_determinant,
+            effort: rules.effort,
             ratio: rules.known_ratio(),
             law: self.law.clone(),
             norm: rules.norm,

@@ -42,7 +42,7 @@ pub fn strokes_of_job(loaded: &LoadedJob, setup: &GrindingSetup) -> Result<Optio
     let sections = strokes
         .sections
         .iter()
-        .map(|section| DressedSection { to: section.to, area: section.area.saturating_sub(1) })
+        .map(|section| DressedSection { to: section.to.law(1.0), area: section.area.saturating_sub(1) })
         .collect();
     let choice = StrokeChoice { dressers, areas, sections, overlap: strokes.overlap };
     StrokeLayout::new(setup, &choice)

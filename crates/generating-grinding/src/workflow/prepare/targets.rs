@@ -1,5 +1,6 @@
 //! What the drawing wants: targets of the flanks that are ground and their tolerance. Each modification is built here, once.
 
+use super::conditions::DresserPlaces;
 use super::tools::dresser_profile;
 use crate::job::{Job, LoadedJob, Method, ToleranceMapSource};
 use crate::workflow::generating_finding;
@@ -9,7 +10,8 @@ use foundation::modification::{
     ToleranceMap,
 };
 use generating::{Carrier, FlankTarget, GrindingSetup, Tool};
-use job::{Diagnostic, TableForm, read_tolerances, table_form};
+use job::{Diagnostic, Problem, TableForm, read_tolerances, table_form};
+use report::charts::format_significant;
 use run::{RunFailure, face_names_remark, job_files, modification_finding};
 use verdict::Remark;
 
@@ -66,6 +68,13 @@ impl TargetEntries {
     /// A finding on `target.file`.
     fn of_job(loaded: &LoadedJob) -> Result<(Self, Option<Remark>), Diagnostic> {
         let target = &loaded.job.target;
+        if loaded.job.wants_worm() {
+            let message = "the gear of a job that wants a worm topography follows from its plan";
+            return Err(Diagnostic::new(Problem::InvalidJob, message)
+                .field("worm.modifications")
+                .allowed("`plan` and `simulate`")
+                .way_out("plan the job and take the target from its result"));
+        }
         let Some(name) = &target.file else {
             let wanted = target.modifications.clone().unwrap_or_default();
             return Ok((Self { wanted, from_file: false }, None));
@@ -132,19 +141,23 @@ fn carrier_of(method: Method, setup: &GrindingSetup) -> Carrier {
 }
 
 /// The wanted flanks of a job split into what motion, dresser and lines of the tool may carry; `given` is the modification of a dresser
-/// that exists.
+/// that exists and where it is laid, `follows` the gear that follows from a worm that is wanted in its place.
 ///
 /// # Errors
 /// [`RunFailure`] with a finding on the entry of the target or on the modification of the dresser.
 pub(super) fn targets_of_job(
     loaded: &LoadedJob,
     setup: &GrindingSetup,
-    given: Option<&[ModificationSpec]>,
+    given: Option<(&[ModificationSpec], &DresserPlaces)>,
     tolerance: &ToleranceMap,
+    follows: Option<Vec<ModificationSpec>>,
 ) -> Result<JobTargets, RunFailure> {
     let job = &loaded.job;
     let carrier = carrier_of(job.grinding.method, setup);
-    let (entries, remark) = TargetEntries::of_job(loaded).map_err(RunFailure::bad_input)?;
+    let (entries, remark) = match follows {
+        Some(wanted) => (TargetEntries { wanted, from_file: false }, None),
+        None => TargetEntries::of_job(loaded).map_err(RunFailure::bad_input)?,
+    };
     let mut remarks: Vec<Remark> = remark.into_iter().collect();
     let mut reliefs = Sides::both(Vec::new());
     let targets = Sides::try_from_fn(|flank| {
@@ -165,12 +178,13 @@ pub(super) fn targets_of_job(
                 reliefs[flank] = wanted.reliefs;
                 FlankTarget::carried_by(wanted.flank, carrier)
             }
-            Some(specs) => {
+            Some((specs, places)) => {
                 let made =
                     dresser_profile(loaded, specs, flank, field, ("dresser.modification", "the target"))
                         .map_err(RunFailure::bad_input)?;
                 reliefs[flank] = specs.to_vec();
-                FlankTarget::with_given_dresser(wanted.flank, made)
+                remarks.extend(uncertain_dresser(&made, flank, setup, tolerance.tightest()));
+                places.target(&setup.lines[flank], wanted.flank, made)
             }
         };
         let cos = setup.lines[flank].cos_b2;
@@ -192,6 +206,37 @@ pub(super) fn targets_of_job(
     }
     Ok(JobTargets { targets, reliefs, remarks })
 }
+
+/// How well a dresser that was measured is known, as the gear shows it: what its flank scatters by with another measurement.
+fn uncertain_dresser(
+    made: &Modification,
+    flank: Flank,
+    setup: &GrindingSetup,
+    tolerance: f64,
+) -> Option<Remark> {
+    let cos = setup.lines[flank].cos_b2;
+    let [from, to] = setup.fields[flank].roll();
+    let at = |k: usize| made.measured_deviation(from + (to - from) * k as f64 / PLACES as f64);
+    let uncertainty = COVERAGE * cos * (0..=PLACES).map(at).fold(0.0, f64::max);
+    (uncertainty > 0.0).then(|| Remark {
+        code: "dresser-as-measured",
+        text: format!(
+            "the profile of the dresser is a curve through measured points: with another measurement the {flank} flank would differ by up to {} um (95 %), which no verdict counts",
+            format_significant(uncertainty * 1e3, 2)
+        ),
+        way_out: if uncertainty > NOTABLE * tolerance {
+            "measure it at more points or with less noise: that is more than a tenth of the tolerance".into()
+        } else {
+            "none is needed: that is less than a tenth of the tolerance".into()
+        },
+    })
+}
+
+/// Places over the profile where an uncertainty is looked at, its coverage factor (95 %), and the share of the tolerance that is worth a better
+/// measurement.
+const PLACES: usize = 40;
+const COVERAGE: f64 = 1.96;
+const NOTABLE: f64 = 0.1;
 
 /// Whether a flank is ground.
 pub(super) fn is_ground(job: &Job, flank: Flank) -> bool {

@@ -1,6 +1,7 @@
 //! Areas of the worm in programs: where finishing and roughing passes run, what is dressed for them, and the check from the texts that
 //! every pass keeps to its area (`docs/mathematics/planning.md#choice-of-the-ratio`).
 
+use super::area_sections::{Place, Section, Stretch, extended, sections};
 use super::build::Built;
 use super::judge::ReadBack;
 use super::result::{AreaUse, WormUse};
@@ -10,10 +11,11 @@ use super::work::{DressingWork, GrindingWork};
 use crate::workflow::execution::Execution;
 use crate::workflow::partition::{Partition, ToolAreas, beside_area, passage};
 use crate::workflow::prepare::Prepared;
+use crate::workflow::roughing_pass::RoughingPass;
 use dressing::DresserTool;
 use foundation::geometry::{Flank, Sides};
-use foundation::kinematics::{GeneratingMotion, LawError, MotionLaw, PiecewisePolynomial};
-use foundation::numerics::{equidistant, extremes};
+use foundation::kinematics::{GeneratingMotion, MotionLaw, PiecewisePolynomial};
+use foundation::numerics::{Chebyshev, equidistant, extremes};
 use generating::FlankLines;
 use job::Diagnostic;
 use machine::Station;
@@ -21,14 +23,8 @@ use motion::{MotionError, ReadStroke, Tracked, track};
 use run::RunFailure;
 use verdict::Remark;
 
-/// Points of a law over the finishing area, and over the passage to a roughing area.
-const POINTS: [usize; 2] = [513, 65];
 /// Rolls at which a dresser's line is looked at.
 const ROLLS: usize = 9;
-/// Least way from one finishing area to the next, mm.
-const LEAST_PASSAGE: f64 = 1.0;
-/// Distance of the points where the dresser stands still, mm.
-const APART: f64 = 2.0;
 /// How far a pass may leave its area, mm: digits of a text and the contact that its stock moves.
 const SAME_AREA: f64 = 0.05;
 
@@ -65,8 +61,8 @@ impl ProgramAreas {
         Ok(Some(Self { areas, lines, planned, passage: passage(setup), beside: beside_area(setup) }))
     }
 
-    /// z_V1 over z_V2 of the roughing strokes, one law for each area.
-    pub fn roughing_shift(&self) -> Vec<MotionLaw> {
+    /// What the roughing strokes do in each of their areas.
+    pub fn roughing_passes(&self) -> Vec<RoughingPass> {
         self.areas.roughing.clone()
     }
 
@@ -104,8 +100,73 @@ impl ProgramAreas {
         }))
     }
 
-    /// A dressing stroke of the plan in every finishing area, driven on over the roughing areas. These are dressed with the dresser
-    /// where it stands in the middle of the finishing area; from one area to the next it goes without a jump.
+    /// The worm positions of a roughing area against those of the plan: each dressed like the place of the plan that grinds the same place of
+    /// the gear, as far as the area has a modification of its own.
+    fn stretch(
+        &self,
+        pass: &RoughingPass,
+        (tool, flanks): (&DresserTool, &[Flank]),
+        shift: &MotionLaw,
+        ratio: f64,
+    ) -> Option<Stretch> {
+        let middles = flanks.iter().filter_map(|&flank| {
+            let lines = self.lines[flank].as_ref()?;
+            let [own, planned] = [&pass.shift, shift].map(|law| {
+                let [from, to] = lines.line_range(law);
+                0.5 * (from + to)
+            });
+            let rolls = equidistant(lines.worm_rolls(shift), ROLLS);
+            let of = |w: f64| tool.flanks[flank].line.value(w) + lines.t_1 * w;
+            let [least, most] = extremes(rolls.into_iter().map(of));
+            let touched = 0.5 * (least + most);
+            Some([touched - own, touched - planned])
+        });
+        let middles: Vec<[f64; 2]> = middles.collect();
+        let mean = |k: usize| middles.iter().map(|of| of[k]).sum::<f64>() / middles.len() as f64;
+        let slope = if pass.area.ratio == 0.0 { 0.0 } else { ratio / pass.area.ratio };
+        (!middles.is_empty()).then(|| Stretch {
+            own: mean(0),
+            planned: mean(1),
+            slope,
+            share: pass.area.share.unwrap_or(0.0),
+        })
+    }
+
+    /// Corrections of a flank's dressing in a roughing area, over all that its strokes use and the margin that the plan drives; `None` for a
+    /// flank that is not ground.
+    pub fn roughed(
+        &self,
+        pass: &RoughingPass,
+        of: (&DresserTool, &[Flank]),
+        (shift, ratio): (&MotionLaw, f64),
+        planned: &[Chebyshev; 4],
+    ) -> Option<[Chebyshev; 4]> {
+        let (first, last) = planned[0].interval();
+        let core = self.core(of.0, of.1, shift)?;
+        let own = self.core(of.0, of.1, &pass.shift)?;
+        let range = [own[0] - (core[0] - first), own[1] + (last - core[1])];
+        Some(self.stretch(pass, of, shift, ratio)?.corrections(planned, range))
+    }
+
+    /// The stretches of v_zS that roughing areas with a modification of their own take, where the job has some.
+    fn roughing_sections(&self, of: (&DresserTool, &[Flank]), shift: &MotionLaw, ratio: f64) -> Vec<Section> {
+        if self.areas.roughing.iter().all(|pass| pass.area.share.is_none()) {
+            return Vec::new();
+        }
+        let section = |pass: &RoughingPass| {
+            let [from, to] = self.core(of.0, of.1, &pass.shift)?;
+            let range = [from - self.beside, to + self.beside];
+            Some(Section {
+                needed: range,
+                range,
+                place: Place::Roughing(self.stretch(pass, of, shift, ratio)?),
+            })
+        };
+        self.areas.roughing.iter().filter_map(section).collect()
+    }
+
+    /// A dressing stroke of the plan in every finishing area, driven on over the roughing areas. These have a share of the modification, or are
+    /// dressed with the dresser where it stands in the middle of the finishing area; from one area to the next it goes without a jump.
     ///
     /// # Errors
     /// Areas so near to each other that the dresser has no way from one to the next.
@@ -113,7 +174,7 @@ impl ProgramAreas {
         &self,
         work: &mut DressingWork,
         (tool, flanks): (&DresserTool, &[Flank]),
-        shift: &MotionLaw,
+        (shift, ratio): (&MotionLaw, f64),
     ) -> Result<(), RunFailure> {
         let driven = work.interval;
         let refused = |code: &'static str, text: String, way_out: String| {
@@ -122,14 +183,21 @@ impl ProgramAreas {
         };
         let core = self.core(tool, flanks, shift).unwrap_or(driven);
         let core = [core[0] - self.beside, core[1] + self.beside];
-        let sections = sections(driven, core, &self.areas.finishing, self.passage).ok_or_else(|| {
+        let finishing = self.areas.finishing.iter().map(|&by| Section {
+            needed: core.map(|v| v + by),
+            range: driven.map(|v| v + by),
+            place: Place::Finishing(by),
+        });
+        let all = finishing.chain(self.roughing_sections((tool, flanks), shift, ratio)).collect();
+        let sections = sections(all, self.passage).ok_or_else(|| {
             refused(
                 "areas-too-near",
-                "neighbouring finishing areas leave the dresser no way from one to the next".into(),
+                "neighbouring areas leave the dresser no way from one to the next".into(),
                 "take a wider worm or fewer areas".into(),
             )
         })?;
-        let ranges = self.areas.roughing.iter().filter_map(|law| self.touched(law)).collect::<Vec<_>>();
+        let ranges =
+            self.areas.roughing.iter().filter_map(|pass| self.touched(&pass.shift)).collect::<Vec<_>>();
         let own = hull(sections.iter().map(|section| section.range)).unwrap_or(driven);
         let whole = ranges.iter().map(|&z_1| self.dressed_for(driven, z_1)).chain([own]);
         let whole = hull(whole).unwrap_or(own);
@@ -219,7 +287,7 @@ impl ProgramAreas {
     ) -> Result<Vec<Remark>, MotionError> {
         let mut faults = Vec::new();
         for (work, &driven) in sought.dressing.iter().zip(driven) {
-            let roughing = self.areas.roughing.iter().filter_map(|law| self.touched(law));
+            let roughing = self.areas.roughing.iter().filter_map(|pass| self.touched(&pass.shift));
             let wanted = roughing.map(|z_1| self.dressed_for(driven, z_1));
             // Between two finishing areas nothing is ground; at the ends of all the plan's own margin belongs to it.
             let finishing = hull(self.areas.finishing.iter().map(|by| driven.map(|v| v + by)));
@@ -291,7 +359,11 @@ impl ProgramAreas {
             self.apart().into_iter().map(|by| work.motion.shift.raised(by)).collect();
         // Without areas of their own roughing passes use the finishing area.
         let apart_from = roughing && !self.areas.roughing.is_empty();
-        let laws: &[MotionLaw] = if apart_from { &self.areas.roughing } else { &finishing };
+        let laws: Vec<MotionLaw> = if apart_from {
+            self.areas.roughing.iter().map(|pass| pass.shift.clone()).collect()
+        } else {
+            finishing.clone()
+        };
         let [first, last] = stroke.blocks;
         for (flank, lines) in self.lines.iter() {
             let Some(lines) = lines else { continue };
@@ -343,95 +415,6 @@ fn hull(ranges: impl Iterator<Item = [f64; 2]>) -> Option<[f64; 2]> {
     ranges.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
 }
 
-/// A stretch of v_zS over which a law is that of the plan, moved along by `by`.
-struct Section {
-    range: [f64; 2],
-    by: f64,
-}
-
-/// The stretches of all finishing areas by v_zS: each with the margin that the plan drives, and between two of them a passage. `core`
-/// is what the plan needs of `driven`. `None` where a passage has no room.
-fn sections(driven: [f64; 2], core: [f64; 2], finishing: &[f64], passage: f64) -> Option<Vec<Section>> {
-    let mut by = finishing.to_vec();
-    by.sort_by(f64::total_cmp);
-    let mut sections: Vec<Section> =
-        by.iter().map(|&by| Section { range: driven.map(|v| v + by), by }).collect();
-    for k in 1..sections.len() {
-        let (end, begin) = (core[1] + by[k - 1], core[0] + by[k]);
-        let room = begin - end;
-        if room <= LEAST_PASSAGE {
-            return None;
-        }
-        let (middle, half) = (0.5 * (end + begin), 0.5 * room.min(passage));
-        sections[k - 1].range[1] = sections[k - 1].range[1].min(middle - half);
-        sections[k].range[0] = sections[k].range[0].max(middle + half);
-    }
-    Some(sections)
-}
-
-/// From 1 to 0 over 0 .. 1, with two continuous derivatives.
-fn falling(u: f64) -> f64 {
-    1.0 - u * u * u * (10.0 + u * (6.0 * u - 15.0))
-}
-
-/// A law of the range `driven` in every section, from one to the next over a passage, and on over `whole`: over a passage to a constant
-/// value. Two derivatives are continuous.
-fn extended(
-    law: &MotionLaw,
-    driven: [f64; 2],
-    sections: &[Section],
-    whole: [f64; 2],
-    (constant, passage): (f64, f64),
-) -> Result<MotionLaw, LawError> {
-    let (Some(first), Some(last)) = (sections.first(), sections.last()) else { return Ok(law.clone()) };
-    let own = [first.range[0], last.range[1]];
-    // Beyond its range a law goes on along its tangent.
-    let tangent = |section: &Section, v: f64| {
-        let at = (v - section.by).clamp(driven[0], driven[1]);
-        let [value, slope, _] = law.jet(at);
-        value + slope * (v - section.by - at)
-    };
-    let value = |v: f64| {
-        let next = sections.partition_point(|section| section.range[1] < v);
-        let Some(section) = sections.get(next) else {
-            let share = falling(((v - own[1]) / passage).min(1.0));
-            return constant + share * (tangent(last, v) - constant);
-        };
-        if v >= section.range[0] {
-            return tangent(section, v);
-        }
-        let Some(before) = next.checked_sub(1).map(|k| &sections[k]) else {
-            let share = falling(((own[0] - v) / passage).min(1.0));
-            return constant + share * (tangent(first, v) - constant);
-        };
-        let share = falling((v - before.range[1]) / (section.range[0] - before.range[1]));
-        share * tangent(before, v) + (1.0 - share) * tangent(section, v)
-    };
-    let mut x: Vec<f64> = Vec::new();
-    for (k, section) in sections.iter().enumerate() {
-        if k > 0 {
-            let between = equidistant([sections[k - 1].range[1], section.range[0]], POINTS[1]);
-            x.extend(&between[1..between.len() - 1]);
-        }
-        x.extend(equidistant(section.range, POINTS[0]));
-    }
-    for (end, sense) in [(0, -1.0), (1, 1.0)] {
-        let length = sense * (whole[end] - own[end]);
-        if length <= 0.0 {
-            continue;
-        }
-        let near = length.min(passage);
-        x.extend(equidistant([0.0, near], POINTS[1]).into_iter().skip(1).map(|d| own[end] + sense * d));
-        if length > near {
-            let far = ((length - near) / APART).ceil() as usize;
-            x.extend((1..=far).map(|k| own[end] + sense * (near + (length - near) * k as f64 / far as f64)));
-        }
-    }
-    x.sort_by(f64::total_cmp);
-    let y: Vec<f64> = x.iter().map(|&v| value(v)).collect();
-    MotionLaw::spline(&x, &y)
-}
-
 /// A law as read from a text, moved along its argument: x -> law(x - by).
 fn moved(law: &MotionLaw, by: f64) -> MotionLaw {
     match law {
@@ -440,7 +423,7 @@ fn moved(law: &MotionLaw, by: f64) -> MotionLaw {
         }
         MotionLaw::Series(series) => {
             let (from, to) = series[0].interval();
-            MotionLaw::series(foundation::numerics::Chebyshev::from_coefficients(
+            MotionLaw::series(Chebyshev::from_coefficients(
                 from + by,
                 to + by,
                 series[0].coefficients().to_vec(),

@@ -252,11 +252,13 @@ impl ProgramTask<'_> {
                 .collect();
             let (mut roughed, mut finished) = (0, false);
             for stroke in technology.strokes_of(&work) {
-                let area = technology.roughing_shift.get(roughed % technology.roughing_shift.len().max(1));
-                let shift = match &stroke.shift {
-                    StrokeLaw::Own(law) => Some(law),
-                    StrokeLaw::Planned if stroke.finishes() => None,
-                    StrokeLaw::Planned => area,
+                let area = technology.roughing.get(roughed % technology.roughing.len().max(1));
+                let (shift, share) = match &stroke.shift {
+                    StrokeLaw::Own(law) => (Some(law), None),
+                    StrokeLaw::Planned if stroke.finishes() => (None, None),
+                    StrokeLaw::Planned => {
+                        (area.map(|pass| &pass.shift), area.and_then(|pass| pass.area.share))
+                    }
                 };
                 let name = stroke.name(finished);
                 if stroke.finishes() {
@@ -265,7 +267,8 @@ impl ProgramTask<'_> {
                     roughed += 1;
                 }
                 passes.extend(indexed.iter().map(|work| {
-                    grinding_pass(work, technology, (stroke, shift), format!("{} {name}", work.name))
+                    let work = share.map_or_else(|| work.clone(), |share| work.with_share(share));
+                    grinding_pass(&work, technology, (stroke, shift), format!("{} {name}", work.name))
                 }));
             }
         }

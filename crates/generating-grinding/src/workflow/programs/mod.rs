@@ -1,6 +1,7 @@
 //! NC programs of a run and their proof: motions of the bodies -> strokes of the machine -> text of every dialect -> read back ->
 //! axes -> bodies -> referee. Nothing leaves this room that was not read back and simulated.
 
+mod area_sections;
 pub mod areas;
 pub mod axis_curves;
 pub mod beyond_travel;

@@ -120,11 +120,12 @@ impl Strokes {
         execution: &Execution,
     ) -> Result<(), RunFailure> {
         let driven = self.dressing.iter().map(|(work, _)| work.interval).collect();
-        self.technology.roughing_shift = areas.roughing_shift();
+        self.technology.roughing = areas.roughing_passes();
         for (work, of) in &mut self.dressing {
             let flanks: Vec<Flank> = of.iter().map(|(flank, _)| *flank).collect();
             if let Some(tool) = dresser_of(prepared, execution, of) {
-                areas.placed_dressing(work, (tool, &flanks), &execution.motion.shift)?;
+                let planned = (&execution.motion.shift, execution.ratio);
+                areas.placed_dressing(work, (tool, &flanks), planned)?;
             }
         }
         for (work, _) in &mut self.grinding {

@@ -3,7 +3,7 @@
 use super::cylinders::Cylinders;
 use super::grinding_stroke::GrindingStroke;
 use super::work::GrindingWork;
-use foundation::kinematics::MotionLaw;
+use crate::workflow::roughing_pass::RoughingPass;
 use generating::GrindingSetup;
 use grinding_technology::Ground;
 use job::tables::{BODY_CLEARANCE, Clamping, ClampingBody, Machine as JobMachine};
@@ -32,8 +32,8 @@ pub struct Technology {
     /// Way before and behind a dressing stroke to leave the worm, mm, for ends of the working part at a distance from the worm's
     /// middle; `None` for a worm without a stated width.
     pub worm_end: Option<f64>,
-    /// z_V1 over z_V2 of the roughing strokes, one for each area of the worm kept for them; empty: they use the finishing area.
-    pub roughing_shift: Vec<MotionLaw>,
+    /// What the roughing strokes do in each area of the worm kept for them; empty: they use the finishing area.
+    pub roughing: Vec<RoughingPass>,
     /// Worm and blank, which a grinding stroke begins and ends clear of each other; `None`: it runs in for its speed only.
     pub cylinders: Option<Cylinders>,
     /// Worm and dresser, which a dressing stroke begins and ends clear of each other; `None` for a worm without a stated width.
@@ -115,7 +115,7 @@ impl Technology {
             strokes: left.map(|left| GrindingStroke::up(left, worm_speed, feed)).collect(),
             dressing_stock: um(&job.dressing_stock_um),
             worm_end: width.map(|width| 0.5 * width + DRESSER_REACH * module),
-            roughing_shift: Vec::new(),
+            roughing: Vec::new(),
             cylinders: None,
             dresser: None,
             clamping: job.clamping.clone(),

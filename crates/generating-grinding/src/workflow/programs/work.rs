@@ -2,7 +2,7 @@
 
 use contact::Lever;
 use foundation::geometry::{Flank, Sides};
-use foundation::kinematics::{DressingMotion, GeneratingMotion};
+use foundation::kinematics::{DressingMotion, GeneratingMotion, MotionLaw};
 use generating::GrindingSetup;
 use nalgebra::Vector3;
 
@@ -19,6 +19,12 @@ pub struct DressingWork {
     pub contacts: Vec<(Vector3<f64>, Vector3<f64>)>,
     /// Largest sin(alpha_n): stock per distance where both flanks are dressed at once.
     pub per_distance: f64,
+}
+
+/// A law with a share of what it changes over a range; in the middle of it it stays.
+pub fn shared(law: &MotionLaw, range: [f64; 2], share: f64) -> MotionLaw {
+    let middle = law.value(0.5 * (range[0] + range[1]));
+    law.scaled(share).raised((1.0 - share) * middle)
 }
 
 /// Levers of the flanks that a stroke grinds.
@@ -46,6 +52,15 @@ pub struct GrindingWork {
 }
 
 impl GrindingWork {
+    /// The same stroke with a share of what its corrections change along the face; in the middle of it they are as they were.
+    pub fn with_share(&self, share: f64) -> Self {
+        let mut work = self.clone();
+        for law in [&mut work.motion.delta_d, &mut work.motion.delta_phi_2] {
+            *law = shared(law, self.feeds, share);
+        }
+        work
+    }
+
     /// Largest r_b2 cos(beta_b2) of its flanks, mm/rad.
     pub fn per_turn(&self) -> f64 {
         self.largest(|lever| lever.arm)

@@ -1,6 +1,7 @@
 //! The strokes of a run on its stock: those of the job, by the rule of thumb, or the fastest within the limits.
 
 use super::offers::CycleOffers;
+use super::worm::worm_life;
 use crate::job::{CycleRule, StrokeZone};
 use crate::workflow::execution::Execution;
 use crate::workflow::partition::Partition;
@@ -9,7 +10,8 @@ use crate::workflow::programs::{GrindingStroke, StockContact, StrokeLaw};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::MotionLaw;
 use grinding_technology::{
-    Cycle, Direction, Ground, OptimumRow, Shift, StockField, Stroke, StrokeFigures, TechnologyError,
+    Cycle, Direction, Ground, Life, OptimumRow, Shift, ShiftRatios, StockField, Stroke, StrokeFigures,
+    TechnologyError,
 };
 
 /// Feeds of a chosen cycle are whole multiples of this, mm per revolution.
@@ -22,6 +24,8 @@ pub struct RunCycle {
     pub cycle: Cycle,
     /// Cycles within the limits, where the job has some.
     pub offers: Option<CycleOffers>,
+    /// The worm's states between two dressings, where the job has its life.
+    pub life: Option<Life>,
     /// Whether a stroke shifts by a law of its own.
     own_shift: Vec<bool>,
 }
@@ -52,20 +56,21 @@ fn passes_of(execution: &Execution) -> Vec<Ground> {
 /// Shifts of the plan, z_V1 over z_V2, for strokes that leave stock and for those that leave none, and whether these have areas of their own.
 struct PlannedShifts {
     finishing: MotionLaw,
-    roughing: MotionLaw,
+    /// One for each area, at least one.
+    roughing: Vec<MotionLaw>,
     apart: bool,
 }
 
 impl PlannedShifts {
     fn new(prepared: &Prepared, execution: &Execution, partition: Option<&Partition>) -> Self {
         let planned = &execution.motion.shift;
-        let apart = prepared.cycle.roughing_areas > 0;
+        let apart = !prepared.cycle.roughing.is_empty();
         let areas = partition.and_then(|partition| partition.tool_areas(prepared, &execution.motion.shift));
         let Some(areas) = areas.filter(|_| apart) else {
-            return Self { finishing: planned.clone(), roughing: planned.clone(), apart };
+            return Self { finishing: planned.clone(), roughing: vec![planned.clone()], apart };
         };
         let by = areas.finishing.first().copied().unwrap_or(0.0);
-        let roughing = areas.roughing.first().unwrap_or(planned).clone();
+        let roughing = areas.roughing.iter().map(|pass| pass.shift.clone()).collect();
         Self { finishing: planned.raised(by), roughing, apart }
     }
 
@@ -77,13 +82,21 @@ impl PlannedShifts {
         })
     }
 
-    fn of_zone(&self, zone: StrokeZone) -> &MotionLaw {
-        if zone == StrokeZone::Roughing { &self.roughing } else { &self.finishing }
+    /// Of a zone; `number`: of the stroke among those that leave stock, which use the roughing areas in turn.
+    fn of_zone(&self, zone: StrokeZone, number: usize) -> &MotionLaw {
+        if zone == StrokeZone::Roughing {
+            &self.roughing[number % self.roughing.len()]
+        } else {
+            &self.finishing
+        }
     }
 
     /// As the plan has it for an area, or with the ratio and the origin that are wanted.
-    fn law(&self, zone: StrokeZone, wanted: &WantedStroke) -> MotionLaw {
-        let planned = self.of_zone(zone);
+    fn law(&self, (zone, number): (StrokeZone, usize), wanted: &WantedStroke) -> MotionLaw {
+        let planned = self.of_zone(zone, number);
+        if self.apart {
+            return planned.clone();
+        }
         let at_zero = planned.value(0.0);
         match (wanted.ratio, wanted.origin) {
             (None, None) => planned.clone(),
@@ -107,10 +120,10 @@ impl RunCycle {
         let field = StockField::new(task.stock.clone(), &bodies)?;
         let shifts = PlannedShifts::new(prepared, execution, partition);
         let passes = passes_of(execution);
-        let [from, to] = execution.feed_range;
-        let ratio = |law: &MotionLaw| (law.value(to) - law.value(from)) / (to - from);
-        let ratios = [ratio(&shifts.roughing), ratio(&shifts.finishing)];
-        let offers = CycleOffers::new((prepared, task), (&bodies, &field), (&passes, ratios));
+        let ratios = [&shifts.roughing[0], &shifts.finishing]
+            .map(|law| ShiftRatios::of(law, execution.feed_range).mean);
+        let life = task.life.map(|life| worm_life(&bodies, (prepared, task), life)).transpose()?;
+        let offers = CycleOffers::new((prepared, task), (&bodies, &field), (&passes, ratios), life.as_ref());
         let (wanted, offers) = match (&task.strokes, offers) {
             (StrokesWanted::Listed(strokes), offers) => (strokes.clone(), offers.and_then(Result::ok)),
             (StrokesWanted::Offered, Some(Ok(offers))) => {
@@ -132,7 +145,7 @@ impl RunCycle {
             // The job's checks ask for the limits.
             (StrokesWanted::Rule(_), None) => (of_machine(prepared, task), None),
         };
-        let stroke = |ground: Ground, wanted: &WantedStroke| {
+        let stroke = |ground: Ground, number: usize, wanted: &WantedStroke| {
             let leaves = ground.flanks().any(|flank| wanted.left[flank] > 0.0);
             let zone = shifts.zone(leaves, wanted.zone);
             Stroke {
@@ -141,17 +154,27 @@ impl RunCycle {
                 feed_per_revolution: wanted.feed_per_revolution,
                 cutting_speed: wanted.cutting_speed,
                 direction: wanted.direction,
-                shift: Shift { law: shifts.law(zone, wanted), step_per_part: wanted.step_per_part },
+                shift: Shift { law: shifts.law((zone, number), wanted), step_per_part: wanted.step_per_part },
                 overrun: wanted.overrun,
                 dwell: wanted.dwell,
                 zone: zone.name().into(),
             }
         };
-        let own = |wanted: &WantedStroke| wanted.ratio.is_some() || wanted.origin.is_some();
-        let driven = passes.iter().flat_map(|&ground| wanted.iter().map(move |wanted| (ground, wanted)));
-        let (own_shift, strokes) =
-            driven.map(|(ground, wanted)| (own(wanted), stroke(ground, wanted))).unzip();
-        Ok(Self { cycle: Cycle::new(bodies, field, strokes)?, offers, own_shift })
+        // In areas of their own strokes shift as these lie on the worm.
+        let own =
+            |wanted: &WantedStroke| !shifts.apart && (wanted.ratio.is_some() || wanted.origin.is_some());
+        let leaving =
+            |ground: Ground, wanted: &WantedStroke| ground.flanks().any(|flank| wanted.left[flank] > 0.0);
+        let (mut own_shift, mut strokes) = (Vec::new(), Vec::new());
+        for &ground in &passes {
+            let mut number = 0;
+            for wanted in &wanted {
+                own_shift.push(own(wanted));
+                strokes.push(stroke(ground, number, wanted));
+                number += usize::from(leaving(ground, wanted));
+            }
+        }
+        Ok(Self { cycle: Cycle::new(bodies, field, strokes)?, offers, life, own_shift })
     }
 
     /// The strokes as programs drive them.

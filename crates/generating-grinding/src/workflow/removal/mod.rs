@@ -93,12 +93,8 @@ fn worked_out(
     let strokes: Vec<StrokeResult> =
         (0..cycle.strokes.len()).map(|k| stroke_result(cycle, k, task)).collect();
     let load = worm_load(cycle, task);
-    let life = match (task.life, &load) {
-        (Some(of_worm), Some(load)) => {
-            Some(life_of(cycle, (prepared, task), of_worm, load.parts_per_dressing)?)
-        }
-        _ => None,
-    };
+    let life = of_run.life.as_ref().zip(load.as_ref());
+    let life = life.map(|(life, load)| life_of(life, load.parts_per_dressing));
     let parts_per_dressing = load.as_ref().map(|load| load.parts_per_dressing);
     let by_law = time_by_law(prepared, cycle)?;
     let part_time = part_time(task, programs, (parts_per_dressing, by_law));

@@ -1,11 +1,9 @@
 //! Cycles within the limits of a job: by the rule of thumb, the fastest, and how the time goes with the load.
 
 use super::dressing::dressing_of;
-use super::worm::worm_life;
 use crate::workflow::prepare::{Prepared, RemovalTask};
 use grinding_technology::{
-    Axes, Axis, Bodies, CostGoal, Ground, Optimum, OptimumTask, Rates, StockField, TechnologyError,
-    ZoneLimits,
+    Axes, Axis, Bodies, CostGoal, Ground, Life, Optimum, OptimumTask, StockField, TechnologyError, ZoneLimits,
 };
 use machine::Role;
 use std::time::Instant;
@@ -38,6 +36,7 @@ impl CycleOffers {
         (prepared, task): (&Prepared, &RemovalTask),
         (bodies, field): (&Bodies, &StockField),
         (passes, [ratio_roughing, ratio_finishing]): (&[Ground], [f64; 2]),
+        life: Option<&Life>,
     ) -> Option<Result<Self, TechnologyError>> {
         let (rate_roughing, rate_finishing) = (task.rates.roughing?, task.rates.finishing?);
         let ground = passes.iter().flat_map(|pass| pass.flanks());
@@ -70,12 +69,8 @@ impl CycleOffers {
             };
             let limits = &task.cycle_limits;
             let times = task.times.unwrap_or_default();
-            let cost = task.cost.zip(wear.and(task.life));
-            let goal = |(rates, life): (Rates, [f64; 2])| {
-                let life = worm_life(bodies, (prepared, task), life)?;
-                Ok::<_, TechnologyError>(rates.goal(life.full_dressings()))
-            };
-            let cost = cost.map(goal).transpose()?;
+            let cost = task.cost.zip(life.filter(|_| wear.is_some()));
+            let cost = cost.map(|(rates, life)| rates.goal(life.full_dressings()));
             let optimum = OptimumTask {
                 passes: passes.to_vec(),
                 cost,

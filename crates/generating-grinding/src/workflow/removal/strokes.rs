@@ -5,7 +5,7 @@ use super::{RPM, UM};
 use crate::workflow::prepare::RemovalTask;
 use foundation::geometry::{Flank, Sides};
 use foundation::numerics::equidistant;
-use grinding_technology::{Cycle, Direction, FlankStroke, Sense, StrokeFigures};
+use grinding_technology::{Cycle, Direction, FlankStroke, Sense, ShiftRatios, StrokeFigures};
 
 /// Intervals of the removal rate over a stroke.
 const INTERVALS: usize = 60;
@@ -45,7 +45,7 @@ pub(super) fn stroke_result(cycle: &Cycle, k: usize, task: &RemovalTask) -> Stro
         dwell_s: figures.stroke.dwell,
         feed_mark_um: UM * largest(figures, |flank| flank.feed_mark),
         nearest_limit: nearest_limit(figures, task),
-        diagonal_ratio: figures.stroke.shift.ratios(figures.contact).mean,
+        diagonal_ratio: ShiftRatios::of(&figures.stroke.shift.law, figures.contact).mean,
         infeed_um: UM * figures.infeed.delta_d,
         worm_speed_rpm: RPM * figures.speeds[0],
         work_speed_rpm: RPM * figures.speeds[1],

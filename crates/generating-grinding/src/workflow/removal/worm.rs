@@ -82,19 +82,13 @@ pub(super) fn worm_life(
     .rows(bodies)
 }
 
-pub(super) fn life_of(
-    cycle: &Cycle,
-    of_job: (&Prepared, &RemovalTask),
-    of_worm: [f64; 2],
-    parts_per_dressing: usize,
-) -> Result<WormLifeResult, TechnologyError> {
-    let life = worm_life(&cycle.bodies, of_job, of_worm)?;
+pub(super) fn life_of(life: &Life, parts_per_dressing: usize) -> WormLifeResult {
     let (first, last) = match life.rows.as_slice() {
         [first, .., last] => (first, last),
         [only] => (only, only),
         [] => unreachable!("a life has at least its first state"),
     };
-    Ok(WormLifeResult {
+    WormLifeResult {
         dressings: life.rows.len(),
         parts_per_worm: life
             .rows
@@ -103,5 +97,5 @@ pub(super) fn life_of(
             .sum(),
         crossed_axes_angle_deg: [first, last].map(|row| row.crossed_axes_angle.to_degrees()),
         worm_speed_rpm: [first, last].map(|row| RPM * row.worm_speed),
-    })
+    }
 }

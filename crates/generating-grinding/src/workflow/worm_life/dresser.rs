@@ -42,7 +42,7 @@ fn profile_of(outcome: &Outcome) -> Vec<ModificationSpec> {
     for flank in Flank::BOTH {
         let executed = outcome.execution.flanks[flank].as_ref();
         let Some(dressing) = executed.and_then(|executed| executed.dressing()) else { continue };
-        let choice = if flank == Flank::Left { FlankChoice::Left } else { FlankChoice::Right };
+        let choice = FlankChoice::from(flank);
         let field = &outcome.prepared.setup.fields[flank];
         entries.extend(polynomial(dressing, field.roll_middle(), choice));
         if let Some(spline) = &dressing.spline {

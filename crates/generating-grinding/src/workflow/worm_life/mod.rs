@@ -21,7 +21,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use verdict::{Remark, Status, Verdict};
-use worn::{first_tip_diameter, plain, worn};
+use worn::first_tip_diameter;
+pub(super) use worn::{plain, worn};
 
 /// Halvings between the last diameter that meets the target and the first one that does not.
 const HALVINGS: usize = 5;

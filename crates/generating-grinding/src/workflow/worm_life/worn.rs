@@ -9,6 +9,7 @@ pub fn plain(loaded: &LoadedJob) -> LoadedJob {
     let mut plain = loaded.clone();
     let job = &mut plain.job;
     (job.explore, job.stock, job.technology, job.control) = (None, None, None, None);
+    (job.deviations, job.measured_worm) = (None, None);
     job.output.programs.clear();
     plain
 }
@@ -26,8 +27,10 @@ pub fn first_tip_diameter(loaded: &LoadedJob) -> Result<f64, RunFailure> {
 pub fn worn(loaded: &LoadedJob, tip_diameter: f64) -> LoadedJob {
     let mut worn = loaded.clone();
     let worm = &mut worn.job.worm;
-    if let (Some(pitch), Some(tip)) = (worm.pitch_diameter, worm.tip_diameter) {
-        worm.pitch_diameter = Some(pitch + tip_diameter - tip);
+    match (worm.pitch_diameter, worm.tip_diameter) {
+        (Some(pitch), Some(tip)) => worm.pitch_diameter = Some(pitch + tip_diameter - tip),
+        // The default addendum follows from the tip diameter alone.
+        _ => worm.pitch_diameter = None,
     }
     worm.tip_diameter = Some(tip_diameter);
     worn

@@ -13,11 +13,19 @@ const INTRODUCTION: &str = "All values are normal to the flank, positive where m
 
 /// Tables and pictures of all rounds; nothing where no flank was measured as a surface.
 pub(super) fn blocks(rounds: &[RoundResult]) -> Result<Vec<Block>, ChartError> {
+    with_introduction(INTRODUCTION, rounds)
+}
+
+/// The same with another introduction.
+pub(in crate::page) fn with_introduction(
+    introduction: &str,
+    rounds: &[RoundResult],
+) -> Result<Vec<Block>, ChartError> {
     if rounds.iter().all(|round| flanks(round).next().is_none()) {
         return Ok(Vec::new());
     }
     let mut blocks = vec![
-        Block::Paragraph(INTRODUCTION.to_owned()),
+        Block::Paragraph(introduction.to_owned()),
         Block::Table(course(rounds)?),
         Block::Table(against_process(rounds)?),
     ];

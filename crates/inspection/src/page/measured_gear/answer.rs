@@ -1,6 +1,6 @@
 //! The answer of the page: one sentence and the figures beside it.
 
-use crate::workflow::{GearInspectionResult, RoundResult};
+use crate::workflow::{GearInspectionResult, RoundResult, class_in_words};
 use report::charts::format_fixed;
 use run::sentence;
 
@@ -43,7 +43,7 @@ pub(super) fn figures(result: &GearInspectionResult) -> Vec<(String, String)> {
         figures.push(("class asked for".into(), class.to_string()));
     }
     if !result.classes.is_empty() {
-        let class = result.class.map_or_else(|| "worse than 11".to_owned(), |class| class.to_string());
+        let class = class_in_words(result.class);
         let part = if result.class_is_partial { ", of what could be evaluated" } else { "" };
         figures.push(("class of ISO 1328-1".into(), class + part));
     }

@@ -8,9 +8,16 @@ use report::cells::{fixed, flank_title, significant, significant_or_none};
 use report::charts::ChartError;
 use report::{Block, Column, Table};
 
+/// What a correction of the target itself is.
+const CORRECTED_TARGET: &str = "The corrected job takes the measured deviation, as a surface of third degree, off the flank that its paths are planned on.";
+
 /// Of a correction; `half_mm` is half of the measured face.
 pub(super) fn blocks(of: &CorrectionResult, half_mm: f64) -> Result<Vec<Block>, ChartError> {
-    let mut blocks = vec![Block::Table(settings_table(of)?)];
+    let mut blocks = if of.settings.is_empty() {
+        vec![Block::Paragraph(CORRECTED_TARGET.into())]
+    } else {
+        vec![Block::Table(settings_table(of)?)]
+    };
     let proofs: Vec<(Flank, &ProofResult)> =
         Flank::BOTH.into_iter().filter_map(|flank| Some((flank, of.proof.get(flank.name())?))).collect();
     if !proofs.is_empty() {

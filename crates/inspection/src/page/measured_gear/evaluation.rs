@@ -2,6 +2,7 @@
 
 use crate::workflow::{
     ArealResult, ClassResult, GearInspectionResult, PitchInspectionResult, SummaryResult, TwistResult,
+    class_in_words,
 };
 use report::cells::{fixed, fixed_or_none};
 use report::charts::{ChartError, format_fixed};
@@ -160,11 +161,7 @@ fn classes_table(classes: &[ClassResult]) -> Result<Table, ChartError> {
             Some(flank) => format!("{}, {flank}", class.quantity),
             None => class.quantity.to_owned(),
         };
-        Ok(vec![
-            symbol.clone(),
-            fixed(&symbol, class.value_um, 2)?,
-            class.class.map_or_else(|| "worse than 11".into(), |class| class.to_string()),
-        ])
+        Ok(vec![symbol.clone(), fixed(&symbol, class.value_um, 2)?, class_in_words(class.class)])
     };
     Ok(Table {
         caption: "Classes of ISO 1328-1:2013".into(),

@@ -1,15 +1,16 @@
 //! The first page: values and classes to ISO 1328-1, the picture of the flanks, pitches, and what the correction asks for.
 
 use super::pictures;
-use crate::workflow::{ClassResult, GearInspection, GearInspectionResult};
+use crate::page::class_table::class_table;
+use crate::workflow::{ClassResult, GearInspection, GearInspectionResult, class_in_words};
 use foundation::geometry::Flank;
 use measured_files::inspection::TraceKind;
 use report::cells::NONE;
 use report::charts::{
-    ChartError, FlankSections, ProfileHelixDiagram, RangeMark, SectionTrace, format_fixed,
-    format_significant, profile_helix_diagram,
+    ChartError, FlankSections, ProfileHelixDiagram, RangeMark, SectionTrace, format_significant,
+    profile_helix_diagram,
 };
-use report::{Column, Figure, FirstPage, Quantity, Sheet, Table};
+use report::{Figure, FirstPage, Quantity, Sheet, Table};
 
 /// Rows that the page has room for.
 const MOST_ROWS: usize = 12;
@@ -50,28 +51,8 @@ fn values(result: &GearInspectionResult) -> Option<Table> {
         shown.sort_by(|a, b| worth(b).partial_cmp(&worth(a)).unwrap_or(std::cmp::Ordering::Equal));
         shown.truncate(MOST_ROWS);
     }
-    let asked = result.tolerance_class.map_or_else(|| NONE.to_owned(), |class| class.to_string());
-    let row = |one: &&ClassResult| {
-        vec![
-            one.quantity.to_owned(),
-            one.flank.unwrap_or("both").to_owned(),
-            format_fixed(one.value_um, 2),
-            one.class.map_or_else(|| "> 11".to_owned(), |class| class.to_string()),
-            asked.clone(),
-        ]
-    };
-    Some(Table {
-        caption: "Values and classes to ISO 1328-1:2013".to_owned(),
-        columns: vec![
-            Column::name("Characteristic"),
-            Column::text("Flank"),
-            Column::number("Measured", "µm"),
-            Column::number("Class reached", ""),
-            Column::number("Class asked for", ""),
-        ],
-        rows: shown.iter().map(row).collect(),
-        note: "The worst value of each characteristic; all of them stand in the details.".to_owned(),
-    })
+    let note = "The worst value of each characteristic; all of them stand in the details.";
+    Some(class_table("ISO 1328-1:2013", shown, result.tolerance_class, note))
 }
 
 /// What makes a value worse than another: its class, then its amount.
@@ -174,9 +155,8 @@ fn measurement(result: &GearInspectionResult) -> Sheet {
     let count = |n: usize| i64::try_from(n).unwrap_or(i64::MAX);
     let mut list = vec![Quantity::count("traces evaluated", "", count(result.traces.len()))];
     let class = match result.class {
-        Some(class) => class.to_string(),
         None if result.classes.is_empty() => NONE.to_owned(),
-        None => "worse than 11".to_owned(),
+        class => class_in_words(class),
     };
     list.push(Quantity::shown("class of ISO 1328-1", "", class, ""));
     list.extend(

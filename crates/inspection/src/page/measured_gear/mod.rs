@@ -4,6 +4,7 @@
 
 mod against_target;
 mod answer;
+mod axes;
 mod correction;
 mod evaluation;
 mod first_page;
@@ -11,6 +12,9 @@ mod flanks;
 mod pictures;
 mod settings;
 mod tests_table;
+
+pub(super) use against_target::with_introduction as against_target;
+pub(super) use pictures::{last_deviation, stages};
 
 use crate::workflow::{GearInspection, GearInspectionResult, LinesResult, RoundResult};
 use generating_grinding::job::Job;
@@ -100,7 +104,7 @@ fn sections(result: &GearInspectionResult) -> Result<Vec<Section>, ChartError> {
     Ok(sections)
 }
 
-fn round_blocks(round: &RoundResult) -> Result<Vec<Block>, ChartError> {
+pub(super) fn round_blocks(round: &RoundResult) -> Result<Vec<Block>, ChartError> {
     let mut blocks = Vec::new();
     if !round.characteristics.is_empty() {
         blocks.push(Block::Table(tests_table::table(&round.characteristics)?));
@@ -113,6 +117,7 @@ fn round_blocks(round: &RoundResult) -> Result<Vec<Block>, ChartError> {
     if let Some(why) = &round.no_correction {
         blocks.push(Block::Paragraph(format!("No correction: {why}.")));
     }
+    blocks.extend(axes::blocks(&round.axes, round.axes_together.as_ref(), &round.axes_not_asked)?);
     Ok(blocks)
 }
 

@@ -39,7 +39,7 @@ fn deviation(of: &MeasuredFlankResult) -> Result<Option<Topography>, ChartError>
 }
 
 /// Nets of target, simulated and measured flank with one scale, and the traces through them.
-pub(super) fn stages(round: &RoundResult) -> Result<Vec<Block>, ChartError> {
+pub(in crate::page) fn stages(round: &RoundResult) -> Result<Vec<Block>, ChartError> {
     let maps = |rows: fn(&MeasuredFlankResult) -> &Vec<Vec<f64>>| {
         panels(round, |of| topography(of, rows(of)).map(Some))
     };
@@ -94,7 +94,7 @@ fn sections(flank: Flank, of: &MeasuredFlankResult) -> Result<Option<FlankSectio
 }
 
 /// Measured less target of the last round, as a contour map; `None` where it does not cover the grid.
-pub(super) fn last_deviation(rounds: &[RoundResult]) -> Result<Option<Figure>, ChartError> {
+pub(in crate::page) fn last_deviation(rounds: &[RoundResult]) -> Result<Option<Figure>, ChartError> {
     let Some(last) = rounds.last() else { return Ok(None) };
     let panels = panels(last, deviation)?;
     if panels.is_empty() {

@@ -16,10 +16,11 @@ pub(super) fn words(name: &str) -> String {
     }
 }
 
-/// The unit of a setting, by the ending of its name.
+/// The unit of a setting or an axis, by the ending of its name.
 pub(super) fn unit(name: &str) -> &str {
     match name.rsplit_once('_').map_or("", |(_, unit)| unit) {
         "um" => "µm",
+        "deg" => "°",
         other => other,
     }
 }

@@ -65,7 +65,7 @@ pub struct TestedCharacteristic {
 }
 
 /// Values of one tooth flank.
-type OfTooth = BTreeMap<Characteristic, f64>;
+pub(super) type OfTooth = BTreeMap<Characteristic, f64>;
 
 /// Tests all characteristics that were measured.
 pub(super) fn tested(
@@ -87,37 +87,50 @@ pub(super) fn tested(
         for field in inspection.topographies.iter().filter(|t| t.flank == flank) {
             teeth.entry(field.tooth).or_default().push(of_field(&field_points(field), fields[flank]));
         }
-        for characteristic in Characteristic::ALL {
-            let of = |readings: &Vec<OfTooth>| -> Vec<f64> {
-                readings.iter().filter_map(|one| one.get(&characteristic).copied()).collect()
-            };
-            let mut values: Vec<(u32, Vec<f64>)> = teeth
-                .iter()
-                .map(|(tooth, readings)| (*tooth, of(readings)))
-                .filter(|(_, v)| !v.is_empty())
-                .collect();
-            // As many readings of every tooth: what was measured more often than the others counts as often as they do.
-            let Some(repeats) = values.iter().map(|(_, readings)| readings.len()).min() else { continue };
-            values.iter_mut().for_each(|(_, readings)| readings.truncate(repeats));
-            let readings: Vec<Vec<f64>> = values.iter().map(|(_, readings)| readings.clone()).collect();
-            let pitch = TAU / f64::from(inspection.gear.teeth.unsigned_abs());
-            let angles: Vec<f64> = values.iter().map(|(tooth, _)| f64::from(*tooth) * pitch).collect();
-            let mean = |readings: Vec<f64>| readings.iter().sum::<f64>() / readings.len() as f64;
-            let options = SystematicOptions {
-                tolerance,
-                calibration: 1e-3 * table.calibration_um,
-                dead_band: table.dead_band,
-                level: table.level,
-            };
-            found.push(TestedCharacteristic {
-                flank,
-                characteristic,
-                test: systematic_test(&readings, Some(&angles), &options),
-                teeth: values.iter().map(|(tooth, _)| *tooth).collect(),
-                repeats,
-                values: values.into_iter().map(|(_, readings)| mean(readings)).collect(),
-            });
-        }
+        let pitch = TAU / f64::from(inspection.gear.teeth.unsigned_abs());
+        found.extend(tested_teeth(flank, &teeth, pitch, table, tolerance));
+    }
+    found
+}
+
+/// Tests all characteristics of a flank, by its teeth with their readings. `pitch`: angle from a tooth to the next, rad.
+pub(super) fn tested_teeth(
+    flank: Flank,
+    teeth: &BTreeMap<u32, Vec<OfTooth>>,
+    pitch: f64,
+    table: &InspectionTable,
+    tolerance: f64,
+) -> Vec<TestedCharacteristic> {
+    let mut found = Vec::new();
+    for characteristic in Characteristic::ALL {
+        let of = |readings: &Vec<OfTooth>| -> Vec<f64> {
+            readings.iter().filter_map(|one| one.get(&characteristic).copied()).collect()
+        };
+        let mut values: Vec<(u32, Vec<f64>)> = teeth
+            .iter()
+            .map(|(tooth, readings)| (*tooth, of(readings)))
+            .filter(|(_, v)| !v.is_empty())
+            .collect();
+        // As many readings of every tooth: what was measured more often than the others counts as often as they do.
+        let Some(repeats) = values.iter().map(|(_, readings)| readings.len()).min() else { continue };
+        values.iter_mut().for_each(|(_, readings)| readings.truncate(repeats));
+        let readings: Vec<Vec<f64>> = values.iter().map(|(_, readings)| readings.clone()).collect();
+        let angles: Vec<f64> = values.iter().map(|(tooth, _)| f64::from(*tooth) * pitch).collect();
+        let mean = |readings: Vec<f64>| readings.iter().sum::<f64>() / readings.len() as f64;
+        let options = SystematicOptions {
+            tolerance,
+            calibration: 1e-3 * table.calibration_um,
+            dead_band: table.dead_band,
+            level: table.level,
+        };
+        found.push(TestedCharacteristic {
+            flank,
+            characteristic,
+            test: systematic_test(&readings, Some(&angles), &options),
+            teeth: values.iter().map(|(tooth, _)| *tooth).collect(),
+            repeats,
+            values: values.into_iter().map(|(_, readings)| mean(readings)).collect(),
+        });
     }
     found
 }
@@ -170,7 +183,7 @@ fn of_lines(lines: &[Line<'_>], cos: f64, [roll, face]: [[f64; 2]; 2]) -> OfToot
 }
 
 /// From the points of a field.
-fn of_field(points: &[(f64, f64, f64)], [roll, face]: [[f64; 2]; 2]) -> OfTooth {
+pub(super) fn of_field(points: &[(f64, f64, f64)], [roll, face]: [[f64; 2]; 2]) -> OfTooth {
     let points: Vec<ArealPoint> =
         points.iter().map(|&(w, z, f)| ArealPoint { w, z, f, weight: 1.0 }).collect();
     let fit = ArealField::new(roll, face)

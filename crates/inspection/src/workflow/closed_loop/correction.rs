@@ -4,7 +4,7 @@
 use super::characteristics::{Characteristic, TestedCharacteristic};
 use super::lines::{MeanLine, uncertainties};
 use foundation::geometry::Flank;
-use foundation::modification::{FlankChoice, ModificationSpec, PolynomialSpec};
+use foundation::modification::{ModificationSpec, PolynomialSpec};
 use generating::correction::{
     CorrectedSetting, Correction, CorrectionError, CorrectionTask, FlankPoint, Setting, SettingInfluence,
     SettingUnit, Weighting,
@@ -278,10 +278,7 @@ fn polynomial(found: &FoundCorrection, influence: &SettingInfluence<'_>, flank: 
         w0_mm: lines.w_m,
         z0_mm: lines.z_m,
         terms: terms.into_iter().filter(moves).collect(),
-        flank: match flank {
-            Flank::Left => FlankChoice::Left,
-            Flank::Right => FlankChoice::Right,
-        },
+        flank: flank.into(),
         reference: foundation::modification::Reference::default(),
     }
 }

@@ -2,11 +2,10 @@
 
 use foundation::geometry::Sides;
 use foundation::numerics::Progress;
-use generating::correction::{Setting, SettingsFlank};
 use generating_grinding::job::{Compensation, DiagonalRatio, LoadedJob, SimulatedMeasurement};
+use generating_grinding::workflow::deviated::deviated;
 use generating_grinding::workflow::execution::Execution;
 use generating_grinding::workflow::generating_finding;
-use generating_grinding::workflow::influence::influence;
 use generating_grinding::workflow::prepare::{Prepared, prepare};
 use generating_grinding::workflow::referee::{self, Cutting};
 use job::{Diagnostic, Problem};
@@ -84,36 +83,8 @@ impl Ground {
         of: &SimulatedMeasurement,
         progress: &dyn Progress,
     ) -> Result<Sides<Option<Topography>>, RunFailure> {
-        let mut execution = self.execution.clone();
-        execution.motion = self.motion(of)?;
-        let dressing = of.dressing.values();
-        if dressing != [0.0; 4] && !execution.shift_dressing(dressing) {
-            let finding = Diagnostic::new(Problem::InvalidJob, "this tool is not dressed in one stroke")
-                .field("inspection.simulated.dressing")
-                .value("deviations of the dressing axes")
-                .allowed("none")
-                .way_out("leave the table out");
-            return Err(RunFailure::bad_input(finding));
-        }
+        let execution = deviated(&self.prepared, &self.execution, &of.deviations(), "inspection.simulated")?;
         by_rays(&self.prepared, &execution, progress)
-    }
-
-    /// The grinding motion with its deviations.
-    fn motion(
-        &self,
-        of: &SimulatedMeasurement,
-    ) -> Result<foundation::kinematics::GeneratingMotion, RunFailure> {
-        let setup = &self.prepared.setup;
-        let influence = influence(&self.prepared, &self.execution)?;
-        let flank = SettingsFlank::new(&setup.pair, &influence, &self.execution.motion);
-        let orders = |values: &[f64], unit: f64, setting: fn(u8) -> Setting| {
-            let each = values.iter().zip(0u8..);
-            each.map(|(value, k)| (setting(k), value * unit)).collect::<Vec<(Setting, f64)>>()
-        };
-        let arcsec = (1.0_f64 / 3600.0).to_radians();
-        let mut settings = orders(&of.radial_feed_um, 1e-3, Setting::RadialFeed);
-        settings.extend(orders(&of.work_angle_arcsec, arcsec, Setting::WorkAngle));
-        Ok(flank.motion(&settings, of.crossing_angle_deg.to_radians()))
     }
 }
 

@@ -2,18 +2,22 @@
 //! correction of grinding and dressing removes it, what stays, the corrected job, and the referee's proof. The measurement is a file, or
 //! that of a simulated machine with deviations of its own, in rounds.
 
+mod axes;
+mod bevel;
 mod characteristics;
 mod correction;
+mod flank_correction;
 mod ground;
 mod lines;
+mod milled;
 mod probe;
 mod result;
 mod round;
 
 use super::files_content::MeasuredFiles;
 pub use result::{
-    CharacteristicResult, CorrectedSettingResult, CorrectionResult, DifferenceResult, MachineChange,
-    MeasuredFlankResult, ProofResult, RoundResult,
+    AxesTogether, AxisResult, CharacteristicResult, CorrectedSettingResult, CorrectionResult,
+    DifferenceResult, JointAxis, MachineChange, MeasuredFlankResult, ProofResult, RoundResult,
 };
 pub use round::Round;
 
@@ -21,10 +25,12 @@ use super::asked::Asked;
 use super::drawn::DrawnGear;
 use super::files::read_measurement;
 use super::statements::Statements;
+pub(super) use bevel::{BevelRound, GridTeeth, MilledBevel};
 use foundation::numerics::Progress;
 use generating_grinding::job::LoadedJob;
 use ground::ground;
 use job::{Diagnostic, Problem};
+pub(super) use milled::of_milled_file;
 use round::judge;
 pub(super) use round::of_header;
 use run::{JobFailure, RunFailure};

@@ -20,6 +20,51 @@ pub struct RoundResult {
     /// Why there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub no_correction: Option<String>,
+    /// Axes of the machine that would explain the measurement, each by itself, the one that explains most first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub axes: Vec<AxisResult>,
+    /// Axes that explain the measurement together, where several explain clearly more than the best of them alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub axes_together: Option<AxesTogether>,
+    /// Axes that could not be asked, with the reason.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub axes_not_asked: BTreeMap<String, String>,
+}
+
+/// An axis of the machine that may be off.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct AxisResult {
+    /// Its name with the unit, as forward models have it.
+    pub axis: String,
+    /// The deviation that explains the measurement best, in that unit.
+    pub value: f64,
+    /// Its standard uncertainty.
+    pub uncertainty: f64,
+    /// Share of the squares of the measured lines that it explains.
+    pub explains: f64,
+    /// Axes that leave nearly the same.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub not_told_apart: Vec<String>,
+}
+
+/// Several axes of the machine that may be off at once.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct AxesTogether {
+    /// The axes with what each would be off by, in the order in which they were found.
+    pub axes: Vec<JointAxis>,
+    /// Share of the squares of the measured lines that they explain together.
+    pub explains: f64,
+}
+
+/// One of several axes that may be off at once.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct JointAxis {
+    /// Its name with the unit, as forward models have it.
+    pub axis: String,
+    /// Its deviation in that unit.
+    pub value: f64,
+    /// Its standard uncertainty beside the others.
+    pub uncertainty: f64,
 }
 
 /// A flank on the grid, row-major [profile][helix]; absent values were not measured.
@@ -128,7 +173,7 @@ pub struct CharacteristicResult {
 /// A correction and its proof.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CorrectionResult {
-    /// Settings that are turned.
+    /// Settings that are turned; none where the flank itself is corrected, as in milling.
     pub settings: Vec<CorrectedSettingResult>,
     /// Deviation of the measured lines, root mean square.
     pub rms_before_um: f64,
@@ -176,8 +221,9 @@ pub struct ProofResult {
     pub first_order_off_um: f64,
 }
 
-/// What changes on the machine: coefficients over the feed and largest changes of the dressing axes.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+/// What changes on the machine: coefficients over the feed and largest changes of the dressing axes; nothing where the flank itself is
+/// corrected.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct MachineChange {
     /// Change of Delta_d over z_V2, um/mm^k.
     pub delta_d_um: Vec<f64>,

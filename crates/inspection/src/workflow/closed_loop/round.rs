@@ -5,6 +5,7 @@ use super::super::drawn::DrawnGear;
 use super::super::evaluate::{EvaluatedGear, evaluate_inspection};
 use super::super::standing_out::standing_out;
 use super::super::surface::{MeasuredSurface, field_points, measured_surface};
+use super::axes::axes;
 use super::characteristics::{TestedCharacteristic, tested};
 use super::correction::{FoundCorrection, compensation, correct, first_order, unit, worth_turning};
 use super::ground::Ground;
@@ -23,6 +24,7 @@ use measured_files::inspection::Inspection;
 use metrology::Topography;
 use metrology::areal::{ArealDegree, ArealError, ArealField, Comparison, Difference};
 use metrology::inspection::InspectionError;
+use milling::job::LoadedMillingJob;
 use run::RunFailure;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -37,6 +39,8 @@ pub struct Round {
     pub inspection: Inspection,
     /// The job with the compensation that answers it.
     pub corrected: Option<LoadedJob>,
+    /// The job of five-axis milling with the compensation that answers it.
+    pub corrected_milling: Option<LoadedMillingJob>,
     /// That job planned.
     pub(super) next: Option<Ground>,
 }
@@ -47,11 +51,11 @@ pub(in super::super) fn of_header(error: &measured_files::inspection::Inspection
 }
 
 /// An error of the evaluation.
-fn of_inspection(error: &InspectionError) -> RunFailure {
+pub(super) fn of_inspection(error: &InspectionError) -> RunFailure {
     RunFailure::bad_input(Diagnostic::of(error).field("FILE"))
 }
 
-fn of_areal(error: &ArealError) -> RunFailure {
+pub(super) fn of_areal(error: &ArealError) -> RunFailure {
     RunFailure::bad_input(Diagnostic::of(error).field("FILE"))
 }
 
@@ -102,32 +106,13 @@ pub(super) fn judge(
         let compared =
             Comparison::new([&target, simulated, &measured], &field, ArealDegree::Second, tolerance)
                 .map_err(|e| of_areal(&e))?;
-        flanks.insert(
-            flank.name(),
-            MeasuredFlankResult {
-                w_mm: target.w.clone(),
-                z_mm: target.z.clone(),
-                target_um: target.rows_um(),
-                planned_um: executed.planned.rows_um(),
-                simulated_um: simulated.rows_um(),
-                measured_um: known(&measured),
-                teeth: surface.teeth.len(),
-                surface: surface.how.clone(),
-                mismatch_um: surface.mismatch_um(),
-                outside_traces: surface.outside_traces(),
-                sees_twist: surface.sees_twist,
-                standing_out: standing_out(&surface.teeth, |tooth| f64::from(tooth) * pitch)
-                    .iter()
-                    .filter(|odd| odd.largest > tolerance)
-                    .map(|odd| (odd.tooth, 1e3 * odd.largest))
-                    .collect(),
-                produced: difference(&compared.produced),
-                measured: difference(&compared.measured),
-                model: difference(&compared.model),
-                correlation: compared.correlation,
-                explained: compared.model_explains(tolerance),
-            },
+        let result = flank_result(
+            [&target, &executed.planned, simulated, &measured],
+            &surface,
+            &compared,
+            (pitch, tolerance),
         );
+        flanks.insert(flank.name(), result);
         surfaces[flank] = Some(surface);
     }
     let points = |field: &measured_files::inspection::Topography| {
@@ -142,10 +127,14 @@ pub(super) fn judge(
             characteristics: tests.iter().map(characteristic).collect(),
             correction: None,
             no_correction: None,
+            axes: Vec::new(),
+            axes_together: None,
+            axes_not_asked: BTreeMap::new(),
         },
         gear,
         inspection,
         corrected: None,
+        corrected_milling: None,
         next: None,
     };
     if !shifts_at_constant_ratio(&made.execution) {
@@ -154,6 +143,9 @@ pub(super) fn judge(
         return Ok(round);
     }
     let influence = influence(&made.prepared, &made.execution)?;
+    let asked = axes(made, &lines);
+    (round.result.axes, round.result.axes_together) = (asked.alone, asked.together);
+    round.result.axes_not_asked = asked.not_asked;
     let settings = worth_turning(table, &tests, &influence);
     if surfaces.iter().all(|(_, surface)| surface.is_none()) && !settings.is_empty() {
         let why = "without a measured surface nothing would be proven: measure a profile and a helix trace of the same tooth";
@@ -192,41 +184,84 @@ pub(super) fn judge(
         let [roll, face] = fields[flank];
         let field = ArealField::new(roll, face).map_err(|e| of_areal(&e))?;
         let change = after.minus(before);
-        let left = Topography {
-            f: surface.deviation.f.iter().zip(&change.f).map(|(d, c)| d + c).collect(),
-            ..surface.deviation.clone()
-        };
-        let of = |t: &Topography| {
-            Difference::new(t, &field, ArealDegree::Second, tolerance)
-                .map(|d| difference(&d))
-                .map_err(|e| of_areal(&e))
-        };
         let model = first_order(&found, &influence, flank, [&before.w, &before.z]);
-        proof.insert(
-            flank.name(),
-            ProofResult {
-                before: of(&surface.deviation)?,
-                after: of(&left)?,
-                first_order_off_um: 1e3 * largest_about_mean(&change.f, &model),
-            },
-        );
+        let off_um = 1e3 * largest_about_mean(&change.f, &model);
+        proof.insert(flank.name(), proof_of(surface, &change, &field, tolerance, off_um)?);
     }
-    let squares = |of: fn(&ProofResult) -> &DifferenceResult| {
-        proof.values().map(|flank| of(flank).rms_um.powi(2)).sum::<f64>()
-    };
-    let [before, after] = [squares(|flank| &flank.before), squares(|flank| &flank.after)];
+    let [before, after] = rms_of(&proof);
     if after >= before {
-        round.result.no_correction = Some(format!(
-            "the referee does not confirm what the lines propose: it would make {:.3} of {:.3} um rms",
-            (after / proof.len() as f64).sqrt(),
-            (before / proof.len() as f64).sqrt()
-        ));
+        round.result.no_correction = Some(not_confirmed([before, after]));
         return Ok(round);
     }
     round.result.correction = Some(correction(&found, proof, made, &next));
     round.corrected = Some(next.job.clone());
     round.next = Some(next);
     Ok(round)
+}
+
+/// What a measured flank leaves before and after a change of the flank that the referee finds.
+pub(super) fn proof_of(
+    surface: &MeasuredSurface,
+    change: &Topography,
+    field: &ArealField,
+    tolerance: f64,
+    first_order_off_um: f64,
+) -> Result<ProofResult, RunFailure> {
+    let of = |left: &Topography| {
+        Difference::new(left, field, ArealDegree::Second, tolerance)
+            .map(|found| difference(&found))
+            .map_err(|e| of_areal(&e))
+    };
+    let (before, after) = (of(&surface.deviation)?, of(&surface.deviation.plus(change))?);
+    Ok(ProofResult { before, after, first_order_off_um })
+}
+
+/// Root mean squares over the flanks before and after a correction, um.
+pub(super) fn rms_of(proof: &BTreeMap<&'static str, ProofResult>) -> [f64; 2] {
+    let of = |of: fn(&ProofResult) -> &DifferenceResult| {
+        let squares = proof.values().map(|flank| of(flank).rms_um.powi(2)).sum::<f64>();
+        (squares / proof.len().max(1) as f64).sqrt()
+    };
+    [of(|flank| &flank.before), of(|flank| &flank.after)]
+}
+
+/// Why a correction that the referee does not confirm is none.
+pub(super) fn not_confirmed([before, after]: [f64; 2]) -> String {
+    format!(
+        "the referee does not confirm what the lines propose: it would make {after:.3} of {before:.3} um rms"
+    )
+}
+
+/// A flank on the grid: target, planned, simulated and measured.
+pub(super) fn flank_result(
+    [target, planned, simulated, measured]: [&Topography; 4],
+    surface: &MeasuredSurface,
+    compared: &Comparison,
+    (pitch, tolerance): (f64, f64),
+) -> MeasuredFlankResult {
+    MeasuredFlankResult {
+        w_mm: target.w.clone(),
+        z_mm: target.z.clone(),
+        target_um: target.rows_um(),
+        planned_um: planned.rows_um(),
+        simulated_um: simulated.rows_um(),
+        measured_um: known(measured),
+        teeth: surface.teeth.len(),
+        surface: surface.how.clone(),
+        mismatch_um: surface.mismatch_um(),
+        outside_traces: surface.outside_traces(),
+        sees_twist: surface.sees_twist,
+        standing_out: standing_out(&surface.teeth, |tooth| f64::from(tooth) * pitch)
+            .iter()
+            .filter(|odd| odd.largest > tolerance)
+            .map(|odd| (odd.tooth, 1e3 * odd.largest))
+            .collect(),
+        produced: difference(&compared.produced),
+        measured: difference(&compared.measured),
+        model: difference(&compared.model),
+        correlation: compared.correlation,
+        explained: compared.model_explains(tolerance),
+    }
 }
 
 /// Values in um; `None` where nothing was measured.
@@ -241,7 +276,7 @@ fn largest_about_mean(a: &[f64], b: &[f64]) -> f64 {
     apart.iter().fold(0.0, |m: f64, x| m.max((x - mean).abs()))
 }
 
-fn difference(of: &Difference) -> DifferenceResult {
+pub(super) fn difference(of: &Difference) -> DifferenceResult {
     let features = of.fit.features();
     DifferenceResult {
         rms_um: 1e3 * of.rms,
@@ -256,7 +291,7 @@ fn difference(of: &Difference) -> DifferenceResult {
     }
 }
 
-fn characteristic(of: &TestedCharacteristic) -> CharacteristicResult {
+pub(super) fn characteristic(of: &TestedCharacteristic) -> CharacteristicResult {
     let test = of.test.as_ref().ok();
     let mean = of.values.iter().sum::<f64>() / of.values.len() as f64;
     let removed = test.filter(|t| t.harmonic_removed).and_then(|t| t.harmonic.as_ref());
@@ -276,7 +311,7 @@ fn characteristic(of: &TestedCharacteristic) -> CharacteristicResult {
 }
 
 /// Why no setting is worth turning.
-fn reason(tests: &[TestedCharacteristic]) -> String {
+pub(super) fn reason(tests: &[TestedCharacteristic]) -> String {
     if tests.is_empty() {
         return "nothing was measured that could be corrected".into();
     }

@@ -2,6 +2,7 @@
 
 use super::Filling;
 use crate::page::sheet::{SheetFoot, SheetSize, SheetValue};
+use crate::workflow::result::class_in_words;
 use measured_files::inspection::{Circle, Size};
 use metrology::inspection::{TeethSummary, ToleranceQuantity};
 use report::charts::{format_fixed, format_significant};
@@ -52,7 +53,7 @@ impl Filling<'_> {
         let Some(classes) = self.gear.classes.as_ref().filter(|classes| !classes.each.is_empty()) else {
             return String::new();
         };
-        let reached = classes.overall.map_or_else(|| "worse than 11".into(), |class| class.to_string());
+        let reached = class_in_words(classes.overall);
         match self.options.tolerance_class {
             None if self.gear.is_whole(self.inspection) => format!("worst class {reached}"),
             None => format!("worst class {reached}, of what could be evaluated"),

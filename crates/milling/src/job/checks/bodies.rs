@@ -1,17 +1,25 @@
 //! The workpiece and what is wanted of it: one body, and a target that fits it.
 
 use super::exactly_one;
-use crate::job::{BevelFlank, BevelGear, Blade, MillingGear, MillingJob};
-use job::checks::{contradiction, drawing, not_yet};
+use crate::job::{
+    BevelFlank, BevelGear, BevelSpiral, Blade, FourDigits, GridGear, MillingGear, MillingJob, NacaBlade,
+    SpiralLine,
+};
+use job::checks::{contradiction, drawing};
 use job::tables::Flanks;
 use job::{Diagnostic, Problem, shown_number};
 
 pub(super) fn check(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
     exactly_one(
         "",
-        &[("gear", job.gear.is_some()), ("bevel", job.bevel.is_some()), ("blade", job.blade.is_some())],
+        &[
+            ("gear", job.gear.is_some()),
+            ("bevel", job.bevel.is_some()),
+            ("blade", job.blade.is_some()),
+            ("grid_gear", job.grid_gear.is_some()),
+        ],
         "the job has no workpiece",
-        "add a table [gear], [bevel] or [blade]; `flankwright new five-axis-milling` prints a complete example",
+        "add a table [gear], [bevel], [blade] or [grid_gear]; `flankwright new five-axis-milling` prints a complete example",
         findings,
     );
     if let Some(body) = &job.gear {
@@ -24,8 +32,55 @@ pub(super) fn check(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
         blade(body, job.milling.flanks, findings);
         passage(job, findings);
     }
+    if let Some(body) = &job.grid_gear {
+        grid_gear(body, findings);
+    }
     target(job, findings);
 }
+
+/// Lines of root and tip that are the ends of a face, the tip farther out.
+fn grid_gear(gear: &GridGear, findings: &mut Vec<Diagnostic>) {
+    for (key, line) in [("root", &gear.root), ("tip", &gear.tip)] {
+        let [from, to] = line.positions;
+        let across = (line.radii[1] - line.radii[0]).abs();
+        // Flatter than this a cutter that is drawn back along its axis does not leave the body.
+        let most = (to - from).abs() * FLATTEST_DEG.to_radians().tan();
+        if from == to || across > most {
+            impossible(
+                format!("the {key} body is flatter than a cone of {FLATTEST_DEG} degrees"),
+                &format!("grid_gear.{key}.positions[1]"),
+                to,
+                format!(
+                    "farther than {} from the first position",
+                    shown_number(across / FLATTEST_DEG.to_radians().tan())
+                ),
+                "compare radii and positions with the drawing: z is the gear's axis",
+                findings,
+            );
+        }
+    }
+    let heights = [0, 1].map(|k| {
+        let [root, tip] = [gear.root.ends()[k], gear.tip.ends()[k]];
+        let [from, to] = gear.root.ends();
+        let (radial, axial) = (to[0] - from[0], to[1] - from[1]);
+        // Outwards across the root line.
+        let sense = axial.signum();
+        sense * ((tip[0] - root[0]) * axial - (tip[1] - root[1]) * radial)
+    });
+    if let Some(k) = heights.iter().position(|height| *height <= 0.0) {
+        impossible(
+            "the tip does not lie outside of the root body".into(),
+            &format!("grid_gear.tip.radii[{k}]"),
+            gear.tip.radii[k],
+            "radii and positions outside of the root body".into(),
+            "compare both bodies with the drawing; both begin at the same end of the face",
+            findings,
+        );
+    }
+}
+
+/// Half angle of the flattest cone, degrees.
+const FLATTEST_DEG: f64 = 85.0;
 
 fn impossible(
     message: String,
@@ -47,13 +102,14 @@ fn impossible(
 fn gear(gear: &MillingGear, findings: &mut Vec<Diagnostic>) {
     drawing(&gear.drawing, findings);
     let cone = gear.drawing.cone_angle_deg;
-    if cone != 0.0 {
-        findings.push(
-            not_yet("gear.cone_angle_deg", "five-axis milling of involute gears with a cone angle")
-                .value(shown_number(cone))
-                .allowed("0, or a table [bevel]")
-                .way_out("leave the cone angle out"),
-        );
+    if cone != 0.0 && gear.double_helical.is_some() {
+        findings.push(contradiction(
+            "the halves of a double-helical gear are cylindrical",
+            "gear.cone_angle_deg",
+            shown_number(cone),
+            "0 beside `double_helical`",
+            "leave the cone angle or `double_helical` out",
+        ));
     }
     let Some(halves) = gear.double_helical else { return };
     if gear.drawing.helix_angle_deg == 0.0 {
@@ -110,6 +166,9 @@ fn bevel(bevel: &BevelGear, findings: &mut Vec<Diagnostic>) {
             "leave `spiral` out, or take the spherical involute",
         ));
     }
+    if let Some(spiral) = &bevel.spiral {
+        flank_line(spiral, findings);
+    }
     let [root, tip] = bevel.cone_angles_deg();
     if root <= 0.0 {
         impossible(
@@ -140,14 +199,62 @@ fn bevel(bevel: &BevelGear, findings: &mut Vec<Diagnostic>) {
     }
 }
 
+/// What a flank line needs and what it has no use for.
+fn flank_line(spiral: &BevelSpiral, findings: &mut Vec<Diagnostic>) {
+    let of_head = spiral.line.of_head();
+    let hobbed = spiral.line == SpiralLine::Epicycloid;
+    for (key, given, needed, what) in [
+        ("cutter_radius", spiral.cutter_radius.is_some(), of_head, "the radius of its cutter head"),
+        (
+            "blade_groups",
+            spiral.blade_groups.is_some(),
+            hobbed,
+            "the number of blade groups of its cutter head",
+        ),
+    ] {
+        let field = format!("bevel.spiral.{key}");
+        if needed && !given {
+            findings.push(
+                Diagnostic::new(Problem::MissingKey, format!("the flank line needs {what}"))
+                    .field(field)
+                    .allowed(if hobbed && key == "blade_groups" {
+                        "a whole number, 1 or more"
+                    } else {
+                        "a radius in mm"
+                    })
+                    .way_out(format!("add `{key}`")),
+            );
+        } else if given && !needed {
+            findings.push(contradiction(
+                &format!("this flank line does not come from {what}"),
+                field,
+                "a value".into(),
+                if key == "blade_groups" {
+                    "no key but with line = \"epicycloid\""
+                } else {
+                    "no key with line = \"skew\" or \"involute\""
+                },
+                "leave it out, or name the line that it belongs to",
+            ));
+        }
+    }
+}
+
 fn blade(blade: &Blade, flanks: Option<Flanks>, findings: &mut Vec<Diagnostic>) {
     exactly_one(
         "blade",
-        &[("ruled", blade.ruled.is_some()), ("points", blade.points.is_some())],
+        &[
+            ("ruled", blade.ruled.is_some()),
+            ("points", blade.points.is_some()),
+            ("naca", blade.naca.is_some()),
+        ],
         "`blade` has no surface",
-        "add `ruled = { .. }`, or `points = { file = \"blade.csv\", rows = .., columns = .., side = \"left\" }`",
+        "add `ruled = { .. }`, or `points = { file = \"blade.csv\", rows = .., columns = .., side = \"left\" }`, or `naca = { .. }`",
         findings,
     );
+    if let Some(given) = &blade.naca {
+        naca(blade, given, findings);
+    }
     let widest = blade.hub_radius[0].max(blade.hub_radius[1]);
     if let Some(ruled) = blade.ruled
         && ruled.tip_radius <= widest
@@ -189,6 +296,41 @@ fn blade(blade: &Blade, flanks: Option<Flanks>, findings: &mut Vec<Diagnostic>) 
     }
 }
 
+/// Sections of four digits, and a blade that has no thickness beside them.
+fn naca(blade: &Blade, naca: &NacaBlade, findings: &mut Vec<Diagnostic>) {
+    for (k, text) in naca.sections.iter().enumerate() {
+        if FourDigits::new(text).is_none() {
+            findings.push(
+                Diagnostic::new(Problem::UnknownValue, "a section is none of four digits")
+                    .field(format!("blade.naca.sections[{k}]"))
+                    .value(format!("\"{text}\""))
+                    .allowed("four digits: camber and its place, both 0 or neither, and a thickness above 0")
+                    .way_out("give e.g. \"4412\", or \"0012\" for a section without camber"),
+            );
+        }
+    }
+    let widest = blade.hub_radius[0].max(blade.hub_radius[1]);
+    if naca.tip_radius <= widest {
+        impossible(
+            format!("the tip radius {} does not lie outside the hub", naca.tip_radius),
+            "blade.naca.tip_radius",
+            naca.tip_radius,
+            format!("> {}, the greatest hub radius", shown_number(widest)),
+            "compare the radii with the drawing",
+            findings,
+        );
+    }
+    if let Some([hub, tip]) = blade.thickness {
+        findings.push(contradiction(
+            "sections of four digits have a thickness of their own",
+            "blade.thickness",
+            format!("[{}, {}]", shown_number(hub), shown_number(tip)),
+            "no key beside `naca`",
+            "leave `thickness` out",
+        ));
+    }
+}
+
 /// A blade has one flank, and a passage between a side and a back is not cleared here.
 fn passage(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
     if job.milling.roughing.is_some() {
@@ -203,13 +345,13 @@ fn passage(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
 }
 
 fn target(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
-    if job.target.modifications.is_some() && job.gear.is_none() {
+    if job.target.modifications.is_some() && job.gear.is_none() && job.bevel.is_none() {
         findings.push(contradiction(
-            "modifications are those of a cylindrical gear",
+            "modifications are those of a gear by its drawing",
             "target.modifications",
             "a list".into(),
-            "no key without [gear]",
-            "leave them out; a bevel gear has `ease_off`",
+            "no key without [gear] or [bevel]",
+            "leave them out: a surface through points is what its table gives",
         ));
     }
     if job.target.ease_off.is_some() && job.bevel.is_none() {

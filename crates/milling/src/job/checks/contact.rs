@@ -27,25 +27,36 @@ pub(super) fn check(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
 
 /// A straight side touches along its length; leant away from it, a rounded corner has to touch.
 fn tilt(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
-    let (tilt, cutter) = (job.milling.tilt_deg, &job.cutter);
+    let (milling, cutter) = (&job.milling, &job.cutter);
     let straight = matches!(cutter.shape, CutterForm::EndMill | CutterForm::Torus | CutterForm::Cone);
-    if tilt == 0.0 || !straight {
+    if !milling.leans() || !straight {
         return;
     }
-    let mut refuse = |message: &str, allowed: &str, way_out: &str| {
-        findings.push(contradiction(message, "milling.tilt_deg", shown_number(tilt), allowed, way_out));
+    let keys = ["milling.tilt_deg", "milling.tilt_at_tip_deg"];
+    let tilts = milling.tilts_deg();
+    let mut refuse = |row: usize, message: &str, allowed: &str, way_out: &str| {
+        findings.push(contradiction(message, keys[row], shown_number(tilts[row]), allowed, way_out));
     };
     if cutter.corner_radius() == 0.0 {
         refuse(
+            usize::from(tilts[0] == 0.0),
             "a cutter with a sharp corner touches with its straight side only, which takes no tilt",
             "0, or a cutter with a corner radius, a ball or a barrel",
             "leave `tilt_deg` out, or give `cutter.corner_radius`",
         );
-    } else if tilt < 0.0 && cutter.has_side() {
+    } else if let Some(row) = tilts.iter().position(|tilt| *tilt < 0.0 && cutter.has_side()) {
         refuse(
+            row,
             "a shank that leans towards the flank cuts it with the upper end of its edges",
             ">= 0, or a ball or a barrel",
             "give a tilt away from the flank, > 0",
+        );
+    } else if tilts.contains(&0.0) && cutter.has_side() {
+        refuse(
+            1,
+            "with rows that lean differently a rounded corner touches in all of them, which an upright one does not",
+            "no key, or > 0 with `tilt_deg` > 0 as well, or a ball or a barrel",
+            "give a tilt > 0 to both ends, or leave `tilt_at_tip_deg` out",
         );
     }
 }
@@ -53,7 +64,7 @@ fn tilt(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
 fn heights(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
     let (cutter, milling) = (&job.cutter, &job.milling);
     const FIELD: &str = "milling.contact_height";
-    let side = cutter.has_side() && milling.tilt_deg == 0.0;
+    let side = cutter.has_side() && !milling.leans();
     let (from, to) = (cutter.side_from(), cutter.cutting_length);
     let range = format!("from {} to {}", shown_number(from), shown_number(to));
     match (&milling.contact_height, side) {
@@ -130,10 +141,21 @@ fn root(job: &MillingJob, root: &MilledRoot, findings: &mut Vec<Diagnostic>) {
         "add `bottom = 0.0` for a bottom on the root body",
         findings,
     );
+    if let Some(gear) = job.gear.as_ref().filter(|gear| gear.drawing.teeth < 0) {
+        findings.push(contradiction(
+            "a straight side along the hollow flank of an internal gear digs in with both of its ends, so that only balls, barrels and \
+             tilted corners finish it; the root is drawn by the corner of a cutter that stands along the flank with its straight side",
+            "milling.root",
+            format!("a table beside gear.teeth = {}", gear.drawing.teeth),
+            "no table with an internal gear",
+            "leave [milling.root] out, and cut the root before, by shaping or broaching, or take it as it comes",
+        ));
+        return;
+    }
     let upright =
         matches!(job.cutter.shape, CutterForm::EndMill | CutterForm::Torus) && job.cutter.has_side();
-    if !upright || job.milling.tilt_deg != 0.0 {
-        let tilted = if job.milling.tilt_deg == 0.0 { "" } else { ", tilted" };
+    if !upright || job.milling.leans() {
+        let tilted = if job.milling.leans() { ", tilted" } else { "" };
         findings.push(contradiction(
             "the root below the active flank is left by the corner of a cylindrical cutter that stands along the flank",
             "milling.root",

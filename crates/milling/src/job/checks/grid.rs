@@ -105,12 +105,12 @@ fn order(density: &Density, findings: &mut Vec<Diagnostic>) {
 fn through_row(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
     let Some(row) = job.milling.lead_through_row else { return };
     let field = "milling.lead_through_row";
-    if job.gear.is_none() {
+    if job.gear.as_ref().is_none_or(|gear| gear.drawing.cone_angle_deg != 0.0) {
         findings.push(contradiction(
             "only the guide curve of a cylindrical gear can be laid through a row",
             field,
             row.to_string(),
-            "no key without [gear]",
+            "no key without [gear], and none with a cone angle",
             "leave `lead_through_row` out",
         ));
     } else if let Some(rows) = job.milling.rows.filter(|rows| row >= *rows) {

@@ -1,6 +1,8 @@
-//! A flank of a bevel gear developed into the plane.
+//! A flank developed into the plane.
 
-use crate::workflow::{MateFlank, PatternResult};
+use crate::workflow::PatternResult;
+use contact::FlankPlaces;
+use foundation::geometry::Surface;
 use report::charts::{ChartError, Topography, region_above};
 
 /// Places on the developed flank, root to tip, each from toe to heel: (along the tooth from the toe, up the profile from where the
@@ -11,8 +13,7 @@ pub(super) struct Developed {
 
 impl Developed {
     /// Length from the toe, and the way up the profile from the root.
-    pub fn new(flank: &MateFlank) -> Self {
-        let places = &flank.places;
+    pub fn new(surface: &dyn Surface, places: &FlankPlaces) -> Self {
         let toe = places.lengths[0];
         let mut up = vec![0.0; places.lengths.len()];
         let mut places_mm = Vec::with_capacity(places.heights.len());
@@ -20,8 +21,8 @@ impl Developed {
             let mut row = Vec::with_capacity(places.lengths.len());
             for (j, length) in places.lengths.iter().enumerate() {
                 if i > 0 {
-                    let below = flank.surface.point(places.heights[i - 1], *length);
-                    up[j] += (flank.surface.point(*height, *length) - below).norm();
+                    let below = surface.point(places.heights[i - 1], *length);
+                    up[j] += (surface.point(*height, *length) - below).norm();
                 }
                 row.push([length - toe, up[j]]);
             }

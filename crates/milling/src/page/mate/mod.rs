@@ -31,6 +31,12 @@ pub(super) fn blocks(mate: Option<&MateOutcome>) -> Result<Vec<Block>, ChartErro
             svg,
             caption,
         )));
+        if let Some(drawing) = pattern::milled(flank, result.marking_um)? {
+            let caption = "The same marking on the flank as it is milled: the crests that rows leave between them touch first. Hatched: \
+                           found by rolling what is predicted of the cutter's rows and blocks against the mate.";
+            let id = format!("{}-contact-pattern-milled", kebab(&flank.name()));
+            blocks.push(Block::Figure(Figure::new(id, self::drawing(&drawing)?, caption)));
+        }
     }
     blocks.push(Block::Figure(transmission::figure(&flanks, result.mean_pitch_radius_mm)?));
     blocks.push(Block::Table(table::patterns(&flanks)));
@@ -38,12 +44,23 @@ pub(super) fn blocks(mate: Option<&MateOutcome>) -> Result<Vec<Block>, ChartErro
     Ok(blocks)
 }
 
-fn quantities(result: &MateResult) -> [Quantity; 5] {
-    [
-        Quantity::count("teeth of the mate", "z_2", i64::from(result.teeth)),
-        Quantity::number("its pitch cone angle", "δ_2", result.pitch_cone_angle_deg, "deg"),
-        Quantity::number("shaft angle", "Σ", result.shaft_angle_deg, "deg"),
-        Quantity::number("its mean pitch radius", "r_m2", result.mean_pitch_radius_mm, "mm"),
-        Quantity::number("marking", "", result.marking_um, "µm"),
-    ]
+fn quantities(result: &MateResult) -> Vec<Quantity> {
+    let mut all = vec![Quantity::count("teeth of the mate", "z_2", i64::from(result.teeth))];
+    let optional = [
+        ("its pitch cone angle", "δ_2", result.pitch_cone_angle_deg, "deg"),
+        ("shaft angle", "Σ", result.shaft_angle_deg, "deg"),
+        ("centre distance", "a", result.centre_distance_mm, "mm"),
+        ("circumferential backlash", "j_t", result.backlash_um, "µm"),
+    ];
+    for (name, symbol, value, unit) in optional {
+        all.extend(value.map(|value| Quantity::number(name, symbol, value, unit)));
+    }
+    let radius = if result.centre_distance_mm.is_some() {
+        "its working pitch radius"
+    } else {
+        "its mean pitch radius"
+    };
+    all.push(Quantity::number(radius, "r_m2", result.mean_pitch_radius_mm, "mm"));
+    all.push(Quantity::number("marking", "", result.marking_um, "µm"));
+    all
 }

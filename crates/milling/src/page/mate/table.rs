@@ -5,7 +5,7 @@ use crate::workflow::PatternResult;
 use report::charts::{format_fixed, format_significant};
 use report::{Column, Table};
 
-/// Both patterns of every flank, the rolled one with its transmission error.
+/// The patterns of every flank, those that were rolled with their transmission errors.
 pub(super) fn patterns(flanks: &[ShownContact<'_>]) -> Table {
     let mut rows = Vec::new();
     for flank in flanks {
@@ -14,6 +14,15 @@ pub(super) fn patterns(flanks: &[ShownContact<'_>]) -> Table {
         let error = error.map(|x| format_significant(x, 3));
         rows.push(row(flank, "rolled", result.rolled.as_ref(), error));
         let none = [String::new(), String::new()];
+        for (k, part) in result.parts.iter().enumerate().filter(|_| result.parts.len() > 1) {
+            rows.push(row(flank, &format!("part {}", k + 1), Some(part), [String::new(), String::new()]));
+        }
+        if let (Some(arcsec), Some(um)) =
+            (result.transmission_error_milled_arcsec, result.transmission_error_milled_um)
+        {
+            let error = [arcsec, um].map(|x| format_significant(x, 3));
+            rows.push(row(flank, "as milled", result.milled.as_ref(), error));
+        }
         rows.push(row(flank, "by the ease-offs", result.ease_off.as_ref(), none));
     }
     Table {
@@ -30,7 +39,9 @@ pub(super) fn patterns(flanks: &[ShownContact<'_>]) -> Table {
             Column::number("at the pitch circle", "µm"),
         ],
         rows,
-        note: "Percent of the active flank: 0 at toe and root, 100 at heel and tip. The transmission error is peak to peak.".into(),
+        note: "Percent of the active flank: 0 at toe (or lower face) and root, 100 at heel (or upper face) and tip. The transmission error \
+               is peak to peak."
+            .into(),
     }
 }
 

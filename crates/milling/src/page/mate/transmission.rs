@@ -19,7 +19,8 @@ pub(super) fn figure(flanks: &[ShownContact<'_>], radius_mm: f64) -> Result<Figu
             let lag_um = rolls.iter().map(|roll| -1e3 * radius_mm * course.at(*roll));
             Series::new(name, roll_deg.clone(), lag_um.collect())
         };
-        let lines = vec![line("rolled", found), line("by the ease-offs", said)];
+        let mut lines = vec![line("rolled", found), line("by the ease-offs", said)];
+        lines.extend(flank.rolled.milled.as_ref().map(|milled| line("as milled", &milled.course)));
         Panel::linear(format!("{}: transmission error [µm]", flank.name()), 1e-3, lines)
     };
     let svg = line_chart(&LineChart {

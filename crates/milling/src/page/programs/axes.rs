@@ -15,7 +15,7 @@ const LEAST_SPAN: f64 = 0.001;
 /// Both charts of a motion.
 pub(super) fn figures(machine: &Machine, shown: &ShownMotion<'_>) -> Result<Vec<Figure>, ChartError> {
     let steps = shown.motion.tools.iter().flat_map(|run| &run.steps);
-    let first: Vec<&Step> = steps.filter(|step| step.space == 0).collect();
+    let first: Vec<&Step> = steps.filter(|step| step.space == 0 && step.kind != StepKind::End).collect();
     let caption = format!(
         "As the blocks for {} have it; what lies between with other spaces is left out.",
         shown.controls

@@ -65,18 +65,20 @@ struct BladeSide {
 }
 
 pub(super) fn bladed(loaded: &LoadedMillingJob, given: &drawn::Blade) -> Result<Body, RunFailure> {
-    let blade = match (&given.ruled, &given.points) {
-        (Some(ruled), _) => ruled_side(given, ruled)?,
-        (None, Some(points)) => point_side(loaded, given, points)?,
-        (None, None) => {
+    let blade = match (&given.ruled, &given.points, &given.naca) {
+        (Some(ruled), ..) => ruled_side(given, ruled)?,
+        (None, Some(points), _) => point_side(loaded, given, points)?,
+        (None, None, Some(naca)) => naca_side(given, naca)?,
+        (None, None, None) => {
             let finding = Diagnostic::new(Problem::MissingKey, "the blade has no surface")
                 .field("blade")
-                .way_out("give one of `ruled` and `points`");
+                .way_out("give one of `ruled`, `points` and `naca`");
             return Err(RunFailure::bad_input(finding));
         }
     };
     let spaces = given.count as usize;
     let ([from, to], [start, end]) = (given.hub_radius, blade.ends);
+    let back_is_unknown = blade.back.is_none();
     let mut walls = vec![hub(given.hub_radius, blade.ends)];
     walls.extend(beside(&blade, spaces));
     let active = ActiveFlank {
@@ -89,7 +91,7 @@ pub(super) fn bladed(loaded: &LoadedMillingJob, given: &drawn::Blade) -> Result<
     let flanks = vec![SpaceFlank { side, active }];
     let mut space = part(loaded.job.milling.skew_deg, flanks, blade.foot, spaces, Vec::new());
     space.walls = walls;
-    let unknown = given.thickness.is_none().then(|| Remark {
+    let unknown = back_is_unknown.then(|| Remark {
         code: "blade-back-not-judged",
         text: "nothing is known of the backs of the blades, so that nothing keeps the cutter from that of the blade across the passage"
             .into(),
@@ -167,15 +169,88 @@ fn point_side(
     })?;
     let rows: Vec<Vec<Vector3<f64>>> =
         grid.points.iter().map(|row| row.iter().map(|p| Vector3::from(*p)).collect()).collect();
-    let surface = GridSurface::new(&rows, normal_side(points.side))
-        .map_err(|error| RunFailure::bad_input(geometry_finding(&error, "blade")))?;
-    let foot = SplineCurve::new(surface.lengths(), &rows[0]).map_err(|error| refused(error.to_string()))?;
+    let surface = extended(&rows, normal_side(points.side))?;
+    let foot = foot(&surface)?;
     let all = rows.iter().flatten();
     Ok(BladeSide {
         back: back(given, surface.clone()),
         surface: Arc::new(surface),
-        foot: Arc::new(FootOnHub { curve: Arc::new(foot) }),
+        foot,
         tip: extremes(all.clone().map(|p| p.xy().norm()))[1],
         ends: extremes(all.map(|p| p.z)),
+    })
+}
+
+/// How far a surface through points goes on beyond the ends of its rows, as a share of their length: column planes of twisted blades reach
+/// there, and so does the overrun.
+const BEYOND: f64 = 0.5;
+
+/// A surface through rows of points, from the hub.
+fn extended(rows: &[Vec<Vector3<f64>>], side: NormalSide) -> Result<GridSurface, RunFailure> {
+    let surface = GridSurface::new(rows, side).and_then(|surface| surface.extended(BEYOND));
+    surface.map_err(|error| RunFailure::bad_input(geometry_finding(&error, "blade")))
+}
+
+/// The line in which a surface stands on the hub.
+fn foot(surface: &GridSurface) -> Result<Arc<dyn LeadCurve>, RunFailure> {
+    let points: Vec<Vector3<f64>> =
+        surface.lengths().iter().map(|length| surface.point(surface.heights()[0], *length)).collect();
+    let curve = SplineCurve::new(surface.lengths(), &points).map_err(|error| {
+        let finding = Diagnostic::new(Problem::InvalidTable, format!("the line at the hub: {error}"));
+        RunFailure::bad_input(finding.field("blade").way_out("correct the points at the hub"))
+    })?;
+    Ok(Arc::new(FootOnHub { curve: Arc::new(curve) }))
+}
+
+/// Rows from hub to tip and points of a row, laid closer towards both edges, in which sections are taken.
+const SECTIONS: [usize; 2] = [5, 25];
+
+/// One surface of blades of four-digit sections, the other as their back.
+fn naca_side(given: &drawn::Blade, naca: &drawn::NacaBlade) -> Result<BladeSide, RunFailure> {
+    let sections = naca.sections.each_ref().map(|text| drawn::FourDigits::new(text));
+    let [Some(hub), Some(tip)] = sections else {
+        let text = "a section of the blade is none of four digits";
+        let finding = Diagnostic::new(Problem::UnknownValue, text).field("blade.naca.sections");
+        return Err(RunFailure::bad_input(finding.way_out("give e.g. [\"4412\", \"4408\"]")));
+    };
+    let mix = |[a, b]: [f64; 2], share: f64| a + (b - a) * share;
+    let length = naca.chord[0] * naca.stagger_deg[0].to_radians().cos();
+    let point = |height: f64, x: f64, sense: f64| {
+        let [[x_hub, y_hub], [x_tip, y_tip]] = [hub.point(x, sense), tip.point(x, sense)];
+        let chord = mix(naca.chord, height);
+        let along = chord * (mix([x_hub, x_tip], height) - 0.5);
+        let across = chord * mix([y_hub, y_tip], height);
+        let (sin, cos) = mix(naca.stagger_deg, height).to_radians().sin_cos();
+        let z = 0.5 * length + along * cos - across * sin;
+        let hub_radius = mix(given.hub_radius, z / length);
+        let radius = hub_radius + (naca.tip_radius - hub_radius) * height;
+        // Around the axis as far as the section goes on its cylinder, in the middle of the hub.
+        let middle = mix([mix(given.hub_radius, 0.5), naca.tip_radius], height);
+        let (sin, cos) = ((along * sin + across * cos) / middle).sin_cos();
+        Vector3::new(-radius * sin, radius * cos, z)
+    };
+    let [rows, points] = SECTIONS;
+    let share = |k: usize, count: usize| k as f64 / (count - 1) as f64;
+    let surface = |sense: f64, side: NormalSide| {
+        let row = |i: usize| {
+            let of = |j: usize| {
+                let x = 0.5 - 0.5 * (std::f64::consts::PI * share(j, points)).cos();
+                point(share(i, rows), naca.edge + (1.0 - 2.0 * naca.edge) * x, sense)
+            };
+            (0..points).map(of).collect()
+        };
+        extended(&(0..rows).map(row).collect::<Vec<Vec<_>>>(), side)
+    };
+    let (upper, lower) = (|| surface(1.0, NormalSide::Against), || surface(-1.0, NormalSide::Along));
+    let (front, other) = match naca.side {
+        drawn::NacaSide::Upper => (upper()?, lower()?),
+        drawn::NacaSide::Lower => (lower()?, upper()?),
+    };
+    Ok(BladeSide {
+        foot: foot(&front)?,
+        surface: Arc::new(front),
+        back: Some(Arc::new(other)),
+        tip: naca.tip_radius,
+        ends: [0.0, length],
     })
 }

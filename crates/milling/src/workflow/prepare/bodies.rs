@@ -1,9 +1,11 @@
 //! The space of a job that is milled, what it is milled with, and how.
 
+use super::bevel_pair::BevelPair;
 use super::bladed::bladed;
 use super::conical::conical;
 use super::cutters::Cutters;
 use super::cylindrical::cylindrical;
+use super::gridded::gridded;
 use super::mate::MatePair;
 use super::options::options;
 use super::workpiece_kind::WorkpieceKind;
@@ -94,14 +96,21 @@ pub(super) fn bodies_of_job(
     let Some(given) = job.body() else {
         let finding = Diagnostic::new(Problem::MissingKey, "the job has no workpiece")
             .field("gear")
-            .way_out("give one of the tables [gear], [bevel] and [blade]");
+            .way_out("give one of the tables [gear], [bevel], [blade] and [grid_gear]");
         return Err(RunFailure::bad_input(finding));
     };
-    let mate = MatePair::of_job(job)?;
-    let body = match given {
-        MilledBody::Gear(gear) => cylindrical(loaded, gear)?,
-        MilledBody::Bevel(bevel) => conical(job, bevel, mate.as_ref())?,
-        MilledBody::Blade(blade) => bladed(loaded, blade)?,
+    let (body, mate) = match given {
+        MilledBody::Gear(gear) => (cylindrical(loaded, gear)?, MatePair::cylindrical(loaded, gear)?),
+        MilledBody::Bevel(bevel) => {
+            let pair = BevelPair::of_job(job, bevel)?;
+            let mate = match &pair {
+                Some(pair) => MatePair::conical(loaded, pair)?,
+                None => None,
+            };
+            (conical(loaded, bevel, pair.as_ref())?, mate)
+        }
+        MilledBody::Blade(blade) => (bladed(loaded, blade)?, None),
+        MilledBody::Grid(gear) => (gridded(loaded, gear)?, None),
     };
     let milled = match job.milling.teeth {
         Spaces::All => body.spaces,

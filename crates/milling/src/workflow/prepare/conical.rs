@@ -1,13 +1,13 @@
 //! Bevel gears of a job as spaces to be milled (`docs/mathematics/milling.md#flanks-as-patches`).
 
+use super::bevel_offset::{Wanted, heights};
+use super::bevel_pair::BevelPair;
 use super::body::{Body, CLEARANCE, floor, part, with_offset};
-use super::ease_off::amounts;
 use super::lands::lands;
-use super::mate::MatePair;
 use super::walls::{below_root_body, root_cone};
-use crate::job::{BevelFlank, MillingJob};
+use crate::job::{BevelFlank, LoadedMillingJob};
 use crate::{ActiveFlank, CurveOnCone, HeightLimits, Retraction, SpaceFlank, job as drawn};
-use foundation::geometry::{BevelGear, EaseOff, Flank, NormalOffset, Octoid, SphericalInvolute};
+use foundation::geometry::{BevelGear, Flank, NormalOffset, Octoid, SphericalInvolute, Surface};
 use foundation::numerics::equidistant;
 use run::{RunFailure, geometry_finding};
 use std::sync::Arc;
@@ -15,40 +15,49 @@ use std::sync::Arc;
 /// Pieces of a bevel gear's land, between which the turn of the teeth is linear.
 const LAND_PIECES: usize = 8;
 
+/// The gear of a drawing, its flank as long as the mate needs it where there is one.
+///
+/// # Errors
+/// [`RunFailure`] with a finding on `bevel`.
+pub(super) fn own_gear(given: &drawn::BevelGear, mate: Option<&BevelPair>) -> Result<BevelGear, RunFailure> {
+    match mate {
+        Some(pair) => Ok(pair.gears[0].clone()),
+        None => BevelGear::new(given.data())
+            .map_err(|error| RunFailure::bad_input(geometry_finding(&error, "bevel"))),
+    }
+}
+
+/// A nominal flank with an offset.
+pub(super) fn flank_surface(
+    gear: &BevelGear,
+    form: BevelFlank,
+    side: Flank,
+    offset: Option<Arc<dyn NormalOffset>>,
+) -> Arc<dyn Surface> {
+    match form {
+        BevelFlank::SphericalInvolute => with_offset(SphericalInvolute::new(gear, side), offset),
+        BevelFlank::Octoid => with_offset(Octoid::new(gear, side), offset),
+    }
+}
+
 /// The gear of a job, its flank so long as the tip of the mate needs it where there is one.
 ///
 /// # Errors
 /// [`RunFailure`] with a finding on `bevel`.
 pub(super) fn conical(
-    job: &MillingJob,
+    loaded: &LoadedMillingJob,
     given: &drawn::BevelGear,
-    mate: Option<&MatePair>,
+    mate: Option<&BevelPair>,
 ) -> Result<Body, RunFailure> {
+    let job = &loaded.job;
     let on_bevel = |error: &_| RunFailure::bad_input(geometry_finding(error, "bevel"));
-    let gear = match mate {
-        Some(pair) => pair.gears[0].clone(),
-        None => BevelGear::new(given.data()).map_err(|error| on_bevel(&error))?,
-    };
-    let ease = job.target.ease_off.map(amounts);
+    let gear = own_gear(given, mate)?;
+    let wanted = Wanted::of_job(job).compensated(job);
     let mut flanks = Vec::new();
     for side in Flank::BOTH {
-        let octoid = Octoid::new(&gear, side);
-        let heights = match given.flank {
-            BevelFlank::SphericalInvolute => gear.heights(),
-            BevelFlank::Octoid => {
-                let height = |angle| octoid.height_of(angle).map_err(|error| on_bevel(&error));
-                [height(gear.form_angle())?, height(gear.tip_angle())?]
-            }
-        };
-        let mut offset: Option<Arc<dyn NormalOffset>> = None;
-        if let Some(amounts) = ease {
-            let ease = EaseOff::new(amounts, heights, gear.face()).map_err(|error| on_bevel(&error))?;
-            offset = Some(Arc::new(ease));
-        }
-        let surface = match given.flank {
-            BevelFlank::SphericalInvolute => with_offset(SphericalInvolute::new(&gear, side), offset),
-            BevelFlank::Octoid => with_offset(octoid, offset),
-        };
+        let heights = heights(&gear, given.flank, side).map_err(|error| on_bevel(&error))?;
+        let offset = wanted.offset(loaded, &gear, given.flank, side)?;
+        let surface = flank_surface(&gear, given.flank, side, offset);
         let active =
             ActiveFlank { surface, heights: HeightLimits::Constant(heights), face: gear.face(), kink: None };
         flanks.push(SpaceFlank { side, active });
@@ -68,7 +77,7 @@ pub(super) fn conical(
         parts: vec![space],
         unknown: Vec::new(),
         spaces,
-        retraction: Retraction::OutsideCone { half_angle: gear.tip_angle(), distance: CLEARANCE },
+        retraction: Retraction::OutsideCone { half_angle: gear.tip_angle(), distance: CLEARANCE, apex: 0.0 },
         blank: [[inner * sin, inner * cos], [outer * sin, outer * cos], hub(outer), hub(inner)],
         floor: floor([inner, outer].map(|r| [r * root_sin, r * root_cos]), 1.0),
     })

@@ -17,8 +17,9 @@ pub(super) struct Cutters {
 
 impl Cutters {
     pub fn of_job(job: &MillingJob) -> Result<Self, RunFailure> {
-        let spindle = job.machine.as_ref().map(|machine| (machine.tool_length, machine.spindle_diameter));
+        let spindle = job.machine.as_ref().map(|machine| machine.spindle_diameter);
         let cutter = |cutter: &MillingCutter, table: &str| {
+            let spindle = job.tool_length_of(cutter).zip(spindle);
             let body = cutter.body().and_then(|body| match spindle {
                 Some((tool_length, diameter)) => body.in_spindle(tool_length, diameter),
                 None => Ok(body),

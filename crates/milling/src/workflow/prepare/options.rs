@@ -2,16 +2,26 @@
 
 use super::cutters::Cutters;
 use crate::job::{
-    ContactHeight, CutSense, GridChoice, MilledRoot, MillingJob, RootBottom, RowDistances, RowSequence,
+    ContactHeight, CutSense, GridChoice, Lead, MilledRoot, MillingJob, RootBottom, RowDistances, RowSequence,
     Traversal,
 };
 use crate::{
-    Bottom, CutDirection, DensityLimits, DistanceLimits, HeightRule, Lines, Orientation, PlanOptions,
-    RootDepth, RowOrder, SpacingLaw, Traverse,
+    Bottom, CutDirection, DensityLimits, DistanceLimits, HeightRule, LeadArc, Lines, Orientation,
+    PlanOptions, RootDepth, RowOrder, SpacingLaw, Traverse,
 };
 
 /// What the default overrun adds to the cutter's radius, mm (`docs/mathematics/milling.md#columns-and-rows`).
 const BESIDE: f64 = 1.0;
+
+/// How a cutter comes to rows or leaves them: as a table says, else on a quarter circle where the job has one.
+fn lead_arc(given: Option<Lead>, quarter: Option<f64>) -> Option<LeadArc> {
+    let own = given.map(|lead| LeadArc {
+        radius: lead.radius,
+        angle: lead.angle_deg.to_radians(),
+        straight: lead.straight,
+    });
+    own.or(quarter.map(LeadArc::quarter))
+}
 
 /// The options of a job with its cutters.
 pub(super) fn options(job: &MillingJob, cutters: Cutters) -> PlanOptions {
@@ -59,6 +69,7 @@ pub(super) fn options(job: &MillingJob, cutters: Cutters) -> PlanOptions {
             tilt: milling.tilt_deg.to_radians(),
             lead_angle: milling.lead_angle_deg.to_radians(),
         },
+        tilt_at_tip: milling.tilt_at_tip_deg.filter(|tilt| *tilt != milling.tilt_deg).map(f64::to_radians),
         heights: match &milling.contact_height {
             Some(ContactHeight::Fixed(height)) => HeightRule::Fixed(*height),
             Some(ContactHeight::Ramp(ramp)) => HeightRule::Ramp([ramp.from, ramp.to]),
@@ -82,7 +93,7 @@ pub(super) fn options(job: &MillingJob, cutters: Cutters) -> PlanOptions {
             RootBottom::Straight(straight) => Bottom::BelowFlank(straight),
         }),
         roughing: milling.roughing.as_ref().map(|r| [r.allowance, r.step_down, r.step_over]),
-        approach_radius: milling.approach_radius,
+        leads: [milling.lead_in, milling.lead_out].map(|given| lead_arc(given, milling.approach_radius)),
         sides: job.flanks(),
     }
 }

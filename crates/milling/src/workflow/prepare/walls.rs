@@ -25,11 +25,6 @@ fn around(name: &'static str, [radii, positions]: [[f64; 2]; 2]) -> Wall {
     frustum(name, WallKind::Base, surface, [-PI, PI])
 }
 
-/// The cylinder on which the teeth of an external gear stand.
-pub(super) fn root_cylinder(radius: f64, ends: [f64; 2]) -> Wall {
-    around("root body", [[radius; 2], ends])
-}
-
 /// The cylinder that the teeth of an internal gear stand on, about the space at +y, whose middle turns with the teeth: by `turns` at both
 /// ends. What lies across the bore belongs to the [`ring`].
 pub(super) fn root_in_ring(radius: f64, ends: [f64; 2], turns: [f64; 2], pitch: f64) -> Wall {
@@ -43,6 +38,11 @@ pub(super) fn root_cone(gear: &BevelGear, below: f64) -> Wall {
     let [radii, positions] =
         [gear.face().map(|r| r * sin - below * cos), gear.face().map(|r| r * cos + below * sin)];
     around("root body", [radii, positions])
+}
+
+/// The body of revolution that teeth stand on, by its ends as (radius, position).
+pub(super) fn root_body(ends: [[f64; 2]; 2]) -> Wall {
+    around("root body", [[ends[0][0], ends[1][0]], [ends[0][1], ends[1][1]]])
 }
 
 /// The hub between the ends of its blades.

@@ -11,6 +11,8 @@ pub enum WorkpieceKind {
     Bevel,
     /// Blades on a hub.
     Bladed,
+    /// A gear by points.
+    Gridded,
 }
 
 impl WorkpieceKind {
@@ -19,6 +21,7 @@ impl WorkpieceKind {
             MilledBody::Gear(_) => Self::Cylindrical,
             MilledBody::Bevel(_) => Self::Bevel,
             MilledBody::Blade(_) => Self::Bladed,
+            MilledBody::Grid(_) => Self::Gridded,
         }
     }
 
@@ -27,7 +30,7 @@ impl WorkpieceKind {
         match self {
             Self::Cylindrical => ["mm", "mm"],
             Self::Bevel => ["rad", "mm"],
-            Self::Bladed => ["1", "1"],
+            Self::Bladed | Self::Gridded => ["1", "1"],
         }
     }
 }

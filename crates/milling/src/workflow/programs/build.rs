@@ -1,12 +1,14 @@
 //! From the work to programs: driven once for every way of leading the tip, written for every control, read back and compared with
 //! what was planned.
 
-use super::blocks::{Blocks, Expected};
+use super::blocks::{Blocks, Control as BlocksFor, Expected};
 use super::drive::{Driver, Lead};
 use super::failure::{invalid, not_proven, of_motion, of_writer};
 use super::follow::{FollowedMove, Follower};
+use super::held::Held;
+use super::held_clocking::HeldClocking;
 use super::passes::{ToolPasses, all_passes};
-use super::steps::{DrivenMotion, Step};
+use super::steps::{DrivenMotion, Step, StepKind};
 use super::task::{MillingMachining, MillingWork, clamping};
 use crate::job::Rtcp;
 use foundation::kinematics::{Direction, Point};
@@ -61,6 +63,8 @@ pub struct MillingPrograms {
     pub programs: Vec<MillingProgram>,
     /// How the workpiece is tilted, where the pole asks for it.
     pub tilt: Option<TiltedMount>,
+    /// What the control holds for the clocking angle of the workpiece, where it does.
+    pub clocking: Option<HeldClocking>,
     /// Distance of a cutting point from the tip of its tool at most, mm.
     pub(super) lever: f64,
 }
@@ -84,17 +88,21 @@ impl MillingMachining<'_> {
             return Err(invalid("milling", 0.0, "one path or more"));
         }
         let (setup, tilt) = self.setup(&passes)?;
+        let clocking = self.held_clocking.map(|angle| HeldClocking::of(&setup, angle)).transpose()?;
         let lever = lever(&passes, work);
         let mut driven: Vec<(Lead, Arc<DrivenMotion>)> = Vec::new();
         let mut programs = Vec::new();
         for &name in self.dialects {
             let control = control_of(self.machine, name)?;
+            // Before what takes long.
+            Held::of(self, &setup, &self.words(&setup, control)?)?;
             let lead = self.lead(name);
             let motion = match driven.iter().find(|(known, _)| *known == lead) {
                 Some((_, motion)) => motion.clone(),
                 None => {
                     let (tip_tolerance, at_pole) = (self.position_tolerance, self.at_pole);
-                    let driver = Driver { setup: &setup, work, lead, tip_tolerance, at_pole };
+                    let end = self.end_position;
+                    let driver = Driver { setup: &setup, work, lead, tip_tolerance, at_pole, end };
                     let motion = Arc::new(driver.drive(&passes)?);
                     driven.push((lead, motion.clone()));
                     motion
@@ -106,7 +114,7 @@ impl MillingMachining<'_> {
                 self.program(work, &setup, (dialect_of(name), control), motion, lever, tilt.is_some())?;
             programs.push(made);
         }
-        Ok(MillingPrograms { programs, tilt, lever })
+        Ok(MillingPrograms { programs, tilt, clocking, lever })
     }
 
     /// The workpiece on the machine, tilted where the pole asks for it.
@@ -114,7 +122,8 @@ impl MillingMachining<'_> {
         &self,
         passes: &[ToolPasses],
     ) -> Result<(MillingSetup<'_>, Option<TiltedMount>), RunFailure> {
-        let setup = MillingSetup::new(&self.machine.machine, clamping(&self.mount), self.tool_length)
+        let length = passes.first().map_or(0.0, |passes| passes.tool.length);
+        let setup = MillingSetup::new(&self.machine.machine, clamping(&self.mount), length)
             .map_err(|error| of_motion(&error, ""))?;
         let tilt = self.at_pole.tilt(&setup, passes)?;
         Ok((tilt.map_or_else(|| setup.clone(), |tilt| setup.clamped(tilt.clamping)), tilt))
@@ -155,7 +164,18 @@ impl MillingMachining<'_> {
     ) -> Result<MillingProgram, RunFailure> {
         let refused = |error: NcError| of_writer(&error, Some(dialect));
         let words = self.words(setup, control)?;
-        let mut blocks = Blocks::new(setup, &words, self.tip_control);
+        let held = Held::of(self, setup, &words)?;
+        let mut blocks = Blocks::new(
+            setup,
+            &words,
+            BlocksFor {
+                dialect,
+                tip_control: self.tip_control,
+                held: &held,
+                spindle_dwell: self.spindle_dwell,
+                work,
+            },
+        );
         let mut lines = comments(work.name, Some(self));
         if tilted {
             lines.push("WORKPIECE TILTED ON THE TABLE AS RESULT AND REPORT SAY".into());
@@ -169,21 +189,11 @@ impl MillingMachining<'_> {
             chord_tolerance: self.position_tolerance,
         };
         let program = Program::new(header, blocks).map_err(refused)?;
-        let decimals = decimals_of(control).unwrap_or(Decimals::MILLING);
-        let mut options = WriteOptions {
-            decimals,
-            feed_words: FeedWords::AxisBlocks,
-            line_numbers: Some(LINE_STEP),
-            incremental_rotary: control.modulo,
-            ..WriteOptions::default()
-        };
-        options.fanuc = FanucOptions {
-            program_number: control.program_number.unwrap_or(1),
-            contour_mode: control.contour_mode,
-        };
+        let options = write_options(control);
+        let decimals = options.decimals;
         let Checked { written, read } = write_checked(&program, dialect, &options).map_err(refused)?;
         let rounding = rounding_bound(&program, &options, from_axes, from_tip).map_err(refused)?;
-        let follower = Follower { setup, words: &words, tool_length: self.tool_length };
+        let follower = Follower { setup, words: &words, work, held: &held, dialect };
         let moves = follower
             .follow(&read.blocks)
             .map_err(|error| not_proven(format!("program for {}: {error}", dialect.name())))?;
@@ -216,10 +226,12 @@ impl MillingMachining<'_> {
         lever: f64,
     ) -> Result<f64, MotionError> {
         let rotary = setup.axes().rotary;
-        let tip = Point::new(0.0, 0.0, -self.tool_length);
         let mut farthest = 0.0f64;
         // All spaces are turned copies of the first.
-        for step in motion.tools.iter().flat_map(|run| &run.steps).filter(|step| step.space == 0) {
+        let steps = motion.tools.iter().flat_map(|run| run.steps.iter().map(|step| (step, run.tool.length)));
+        let of_space = |step: &Step| step.space == 0 && step.kind != StepKind::End;
+        for (step, length) in steps.filter(|(step, _)| of_space(step)) {
+            let tip = Point::new(0.0, 0.0, -length);
             let mut speeds = vec![0.0; self.machine.machine.axes().len()];
             for unit in [Vector3::x(), Vector3::y(), Vector3::z()] {
                 let normal = Direction::from_vector(unit);
@@ -245,9 +257,10 @@ impl MillingProgram {
         let steps = self.motion.tools.iter().flat_map(|run| &run.steps);
         let with_time = steps.map(|step: &Step| {
             time += step.seconds;
-            (step.space, time, step.at)
+            (step, time)
         });
-        with_time.filter(|(space, ..)| *space == 0).map(|(_, time, at)| (time, at)).collect()
+        let own = with_time.filter(|(step, _)| step.space == 0 && step.kind != StepKind::End);
+        own.map(|(step, time)| (time, step.at)).collect()
     }
 }
 
@@ -270,7 +283,7 @@ fn compared(
         let [run, number] = wanted.step;
         let run = &motion.tools[run];
         let (step, last) = (&run.steps[number], found.places.last());
-        let Some(last) = last.filter(|_| run.number == found.tool) else {
+        let Some(last) = last.filter(|_| run.tool.number == found.tool) else {
             return Err(not_proven(format!("program for {name}: motion {} belongs to another tool", k + 1)));
         };
         let tip = (last.tip - step.place.tip.xyz).norm();
@@ -306,6 +319,21 @@ fn lever(tools: &[ToolPasses], work: &MillingWork<'_>) -> f64 {
     lever
 }
 
+/// How programs of a control are written.
+pub(super) fn write_options(control: &Control) -> WriteOptions {
+    WriteOptions {
+        decimals: decimals_of(control).unwrap_or(Decimals::MILLING),
+        feed_words: FeedWords::AxisBlocks,
+        line_numbers: Some(LINE_STEP),
+        incremental_rotary: control.modulo,
+        fanuc: FanucOptions {
+            program_number: control.program_number.unwrap_or(1),
+            contour_mode: control.contour_mode,
+        },
+        ..WriteOptions::default()
+    }
+}
+
 /// [A-Z0-9_]{1,24} of the job's name and M.
 pub(super) fn program_name(name: &str) -> String {
     let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' };
@@ -328,7 +356,13 @@ pub(super) fn comments(name: &str, machining: Option<&MillingMachining<'_>>) -> 
             if machining.mount.turned_over {
                 lines.push("WORKPIECE CLAMPED UPSIDE DOWN".into());
             }
-            lines.push("COORDINATES OF THE TABLE".into());
+            match machining.work_offset {
+                None => lines.push("COORDINATES OF THE TABLE".into()),
+                Some(offset) => {
+                    lines
+                        .push(format!("COORDINATES FROM WORK OFFSET {} AS THE REPORT HAS IT", offset.number));
+                }
+            }
             lines.push("TOOLS COME AND GO FROM OUTSIDE".into());
         }
     }

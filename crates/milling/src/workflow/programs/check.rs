@@ -3,6 +3,7 @@
 use super::drive::rapid_seconds;
 use super::failure::of_motion;
 use super::follow::{FollowedMove, Follower};
+use super::held::Held;
 use super::passes::all_passes;
 use super::task::{MillingMachining, MillingWork};
 use foundation::kinematics::{Direction, Point};
@@ -77,7 +78,8 @@ impl MillingMachining<'_> {
             let finding = Diagnostic::with_code(error.code(), text).allowed(error.allowed);
             RunFailure::bad_input(finding.way_out(error.way_out()))
         })?;
-        let follower = Follower { setup: &setup, words: &words, tool_length: self.tool_length };
+        let held = Held::of(self, &setup, &words)?;
+        let follower = Follower { setup: &setup, words: &words, work, held: &held, dialect };
         let refused = |error: MotionError| -> RunFailure { RunFailure::bad_input(Diagnostic::of(&error)) };
         let moves = follower.follow(&found.blocks).map_err(refused)?;
         if moves.is_empty() {
@@ -85,8 +87,9 @@ impl MillingMachining<'_> {
         }
         let mut walk = Walk::new(&setup);
         for made in &moves {
-            if !work.tools.iter().any(|tool| tool.number == made.tool) {
-                let numbers: Vec<String> = work.tools.iter().map(|tool| tool.number.to_string()).collect();
+            if !work.tools.iter().any(|tool| tool.tool.number == made.tool) {
+                let numbers: Vec<String> =
+                    work.tools.iter().map(|tool| tool.tool.number.to_string()).collect();
                 let text = format!("the program takes tool {}, which the job does not have", made.tool);
                 let finding = Diagnostic::with_code("unknown-tool", text).allowed(numbers.join(", "));
                 let finding = finding.way_out("call the tools by the numbers of the job's cutters");

@@ -1,7 +1,9 @@
 //! Cutter locations of a job in the words of APT: no machine, coordinates of the workpiece, the feed as it is wanted
 //! (`docs/mathematics/programs.md#cutters`).
 
+use super::blocks::{coolant_blocks, coolant_off};
 use super::failure::{in_pass, of_writer};
+use super::held::length_number;
 use super::links::{straight_is_outside, ways};
 use super::passes::{BEFORE, CutterPass, ToolPasses, all_passes, name_of};
 use super::task::MillingWork;
@@ -9,7 +11,7 @@ use foundation::geometry::CutterShape;
 use job::Diagnostic;
 use motion::milling::CutterPlace as Place;
 use nc::{
-    AxisMotion, AxisWord, Block, ClCutter, Header, NcError, Orientation, Pace, Program, TipControl,
+    AxisMotion, AxisWord, Block, ClCutter, Dialect, Header, NcError, Orientation, Pace, Program, TipControl,
     TipMotion, write_cl_checked,
 };
 use run::RunFailure;
@@ -69,7 +71,7 @@ impl MillingWork<'_> {
         let CutterShape::Conical { radius, half_angle: 0.0, corner_radius } = *first.cutter.shape() else {
             return None;
         };
-        let same = self.tools.iter().all(|tool| tool.number == first.number);
+        let same = self.tools.iter().all(|tool| tool.tool.number == first.tool.number);
         let cutting_length = first.cutter.cutting_length();
         same.then_some(ClCutter { diameter: 2.0 * radius, corner_radius, cutting_length })
     }
@@ -84,10 +86,12 @@ struct Locations<'a> {
 
 impl Locations<'_> {
     fn tool(&mut self, tool: &ToolPasses) -> Result<(), RunFailure> {
-        let offset = tool.number.clamp(1, 999);
-        self.blocks.push(Block::Tool { number: tool.number, length_offset: Some(offset) });
-        let speed = tool.spindle_rpm * std::f64::consts::PI / 30.0;
+        let ToolPasses { tool: data, .. } = tool;
+        let offset = length_number(data, Dialect::Fanuc);
+        self.blocks.push(Block::Tool { number: data.number, length_offset: Some(offset) });
+        let speed = data.spindle_rpm * std::f64::consts::PI / 30.0;
         self.blocks.push(Block::Spindle { spindle: 0, speed });
+        self.blocks.extend(coolant_blocks(data.coolant));
         self.blocks.push(Block::TipControlOn(TipControl::Directions));
         self.last = None;
         for pass in &tool.passes {
@@ -96,14 +100,15 @@ impl Locations<'_> {
             for (k, place) in pass.places.iter().enumerate().skip(1) {
                 let feed = match k {
                     1 => None,
-                    BEFORE => Some(work.plunge_feed),
-                    _ if k < pass.cut().end => Some(work.feed),
+                    BEFORE => Some(work.tool.plunge_feed),
+                    _ if k < pass.cut().end => Some(work.tool.feed),
                     _ => None,
                 };
                 self.go(place, feed);
             }
         }
         self.blocks.push(Block::TipControlOff);
+        self.blocks.extend(coolant_off(data.coolant));
         self.blocks.push(Block::Spindle { spindle: 0, speed: 0.0 });
         Ok(())
     }

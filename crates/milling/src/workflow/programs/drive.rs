@@ -2,6 +2,7 @@
 //! (`docs/mathematics/milling.md#positions-of-five-axes`).
 
 use super::at_pole::AtPole;
+use super::end_position::end_steps;
 use super::failure::{in_pass, of_milling, of_motion};
 use super::figures::Figures;
 use super::links::DIP;
@@ -12,6 +13,7 @@ use super::safe_room::SafeRoom;
 use super::steps::{DrivenMotion, Step, StepKind, ToolRun};
 use super::task::MillingWork;
 use crate::CutterPlace;
+use crate::job::EndMove;
 use foundation::geometry::CutterShape;
 use job::Diagnostic;
 use machine::Positions;
@@ -37,12 +39,15 @@ pub(super) struct Lead {
 }
 
 /// The machine with its tolerances: mm, rad.
+#[derive(Clone, Copy)]
 pub(super) struct Driver<'a> {
     pub setup: &'a MillingSetup<'a>,
     pub work: &'a MillingWork<'a>,
     pub lead: Lead,
     pub tip_tolerance: f64,
     pub at_pole: AtPole,
+    /// Where the axes go at the end.
+    pub end: &'a [EndMove],
 }
 
 /// A place, the axes there, and whether the block to it is guided.
@@ -55,37 +60,50 @@ impl Driver<'_> {
     /// [`RunFailure`]: places that the machine does not reach, links that cannot stay outside.
     pub fn drive(&self, tools: &[ToolPasses]) -> Result<DrivenMotion, RunFailure> {
         let mut figures = Figures::new(self.setup, self.work);
-        let mut at = Positions::default();
+        let mut at = None;
         let mut runs = Vec::new();
         for tool in tools {
-            let mut steps: Vec<Step> = Vec::new();
-            for pass in &tool.passes {
-                for (piece, course) in self.without_rewinds(pass, &tool.room, &at)? {
-                    let made = self.pass(&piece, &course, &mut figures)?;
-                    let begin = (course.places[0], course.nodes[0]);
-                    match steps.last() {
-                        None => {
-                            let seconds =
-                                if runs.is_empty() { 0.0 } else { rapid_seconds(self.setup, &at, &begin.1) };
-                            steps.push(step(&piece, StepKind::Position, begin, seconds, false));
-                        }
-                        Some(last) => {
-                            let guided = last.guided && made.first().is_none_or(|step| step.guided);
-                            let from = (last.place, last.at);
-                            steps.extend(self.link(&piece, &tool.room, [&from, &begin], guided)?);
-                        }
-                    }
-                    steps.extend(made);
-                    if let Some(last) = steps.last() {
-                        at = last.at;
-                    }
-                }
-            }
-            runs.push(ToolRun { number: tool.number, spindle_rpm: tool.spindle_rpm, steps });
+            let setup = self.setup.with_tool_length(tool.tool.length);
+            let steps = Driver { setup: &setup, ..*self }.tool(tool, &mut at, &mut figures)?;
+            runs.push(ToolRun { tool: tool.tool, steps });
+        }
+        if let Some(run) = runs.last_mut() {
+            let setup = self.setup.with_tool_length(run.tool.length);
+            run.steps.extend(end_steps(&setup, self.end, run.steps.last())?);
         }
         let (operations, straight) = figures.finish(&runs);
         let cycle_time = operations.iter().map(OperationFigures::seconds).sum();
         Ok(DrivenMotion { tools: runs, operations, cycle_time, straight })
+    }
+
+    /// The blocks of one tool, from where the axes stand; of the first tool that is not known.
+    fn tool(
+        &self,
+        tool: &ToolPasses,
+        at: &mut Option<Positions>,
+        figures: &mut Figures<'_>,
+    ) -> Result<Vec<Step>, RunFailure> {
+        let mut steps: Vec<Step> = Vec::new();
+        for pass in &tool.passes {
+            for (piece, course) in self.without_rewinds(pass, &tool.room, &at.unwrap_or_default())? {
+                let made = self.pass(&piece, &course, figures)?;
+                let begin = (course.places[0], course.nodes[0]);
+                match steps.last() {
+                    None => {
+                        let seconds = at.map_or(0.0, |at| rapid_seconds(self.setup, &at, &begin.1));
+                        steps.push(step(&piece, StepKind::Position, begin, seconds, false));
+                    }
+                    Some(last) => {
+                        let guided = last.guided && made.first().is_none_or(|step| step.guided);
+                        let from = (last.place, last.at);
+                        steps.extend(self.link(&piece, &tool.room, [&from, &begin], guided)?);
+                    }
+                }
+                steps.extend(made);
+                *at = steps.last().map(|last| last.at);
+            }
+        }
+        Ok(steps)
     }
 
     pub(super) fn what(&self, pass: &CutterPass) -> String {
@@ -266,7 +284,9 @@ impl Driver<'_> {
         course: &AxisCourse,
         figures: &mut Figures<'_>,
     ) -> Result<Vec<f64>, MotionError> {
-        let Some(tool) = self.work.tools.get(pass.operation) else { return Ok(Vec::new()) };
+        let Some(tool) = self.work.tools.get(pass.operation).map(|work| work.tool) else {
+            return Ok(Vec::new());
+        };
         let cut = pass.cut();
         let mut feeds = vec![tool.feed; course.places.len()];
         feeds[..=BEFORE].fill(tool.plunge_feed);

@@ -20,7 +20,7 @@ impl<'a> Figures<'a> {
     pub fn new(setup: &'a MillingSetup<'a>, work: &MillingWork<'_>) -> Self {
         let empty = work.tools.iter().map(|tool| OperationFigures {
             kind: tool.kind,
-            tool: tool.number,
+            tool: tool.tool.number,
             cutting: 0.0,
             rapid: 0.0,
             blocks: 0,

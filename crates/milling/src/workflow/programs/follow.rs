@@ -1,11 +1,14 @@
 //! Blocks as a reader found them, followed: positions of the axes or places of the tip -> where the cutter stands on the workpiece.
 
+use super::held::{Held, length_number};
+use super::task::MillingWork;
+use crate::workflow::prepare::ToolData;
 use foundation::kinematics::{Direction, Point};
 use machine::{Positions, Station};
 use motion::milling::MillingSetup;
 use motion::{AxisWords, MotionError};
 use nalgebra::Vector3;
-use nc::{Block, Orientation, Pace};
+use nc::{Block, Coolant, Dialect, Orientation, Pace, Targets};
 use referee::CutterPlace;
 
 /// One motion that ends where all is known.
@@ -17,6 +20,8 @@ pub struct FollowedMove {
     pub tool: u32,
     /// Speed of its spindle, rad/s; none before a block says it.
     pub spindle: Option<f64>,
+    /// Supplies of coolant that are on: the first, the second.
+    pub coolant: [bool; 2],
     /// Whether it is rapid.
     pub rapid: bool,
     /// Places of the cutter, workpiece coordinates: begin (if it is known) and end; of a block of axis values so many between that
@@ -39,7 +44,11 @@ const MOST_PIECES: f64 = 4096.0;
 pub(super) struct Follower<'a> {
     pub setup: &'a MillingSetup<'a>,
     pub words: &'a AxisWords,
-    pub tool_length: f64,
+    /// The tools, for their lengths.
+    pub work: &'a MillingWork<'a>,
+    /// What the control adds to positions.
+    pub held: &'a Held,
+    pub dialect: Dialect,
 }
 
 /// Where everything is.
@@ -47,11 +56,29 @@ pub(super) struct Follower<'a> {
 struct State {
     tool: u32,
     spindle: Option<f64>,
+    coolant: [bool; 2],
+    /// Whether the control adds the length of the tool to positions, and whether its work offset is in force.
+    lengthened: bool,
+    shifted: bool,
     at: Positions,
     /// Places of the program's axes that have a value.
     known: u16,
     place: Option<CutterPlace>,
     speed: Option<f64>,
+}
+
+impl State {
+    /// A motion of a block, in this state: whether it is rapid and what time it states, its places, the axes at its end.
+    fn moved(
+        &self,
+        block: usize,
+        (rapid, seconds): (bool, Option<f64>),
+        places: Vec<CutterPlace>,
+        at: Option<Positions>,
+    ) -> FollowedMove {
+        let Self { tool, spindle, coolant, .. } = *self;
+        FollowedMove { block, tool, spindle, coolant, rapid, places, at, seconds }
+    }
 }
 
 impl Follower<'_> {
@@ -70,12 +97,42 @@ impl Follower<'_> {
         for (k, block) in blocks.iter().enumerate() {
             let refused = |reason: &str| MotionError::NotFollowed { block: k + 1, reason: reason.into() };
             match block {
-                Block::Tool { number, .. } => state = State { tool: *number, ..State::default() },
+                Block::Tool { number, .. } => {
+                    let State { coolant, shifted, .. } = state;
+                    state = State { tool: *number, coolant, shifted, ..State::default() };
+                }
+                Block::Coolant(Coolant::Off) => state.coolant = [false; 2],
+                Block::Coolant(Coolant::Flood) => state.coolant[0] = true,
+                Block::Coolant(Coolant::Mist) => state.coolant[1] = true,
+                Block::WorkOffset(number) => {
+                    if self.held.offset.is_none_or(|offset| offset.number != *number) {
+                        return Err(refused("another work offset than that of the job"));
+                    }
+                    state.shifted = true;
+                    state.known = 0;
+                }
+                Block::LengthOffset(number) => {
+                    let own = self.tool(state.tool).map(|tool| length_number(&tool, self.dialect));
+                    if number.is_some() && *number != own {
+                        return Err(refused("another length offset than that of the job's tool"));
+                    }
+                    if number.is_some() && self.held.lengthened.is_none() {
+                        return Err(refused(
+                            "a length that the control adds to positions; the job has it in them (machine.tool_length_in)",
+                        ));
+                    }
+                    state.lengthened = number.is_some();
+                    state.known = 0;
+                }
                 Block::TipControlOff => state.known = 0,
                 Block::TipSpeed(speed) => state.speed = Some(*speed),
                 Block::Rapid(target) | Block::Linear { target, .. } => {
                     let seconds =
                         if let Block::Linear { duration, .. } = block { Some(*duration) } else { None };
+                    if state.shifted != self.held.offset.is_some() {
+                        return Err(refused("no work offset before its first motion, and the job has one"));
+                    }
+                    let target = &self.of_machine(&state, target);
                     let to = self.words.positions(self.setup.machine(), &state.at, target);
                     let from = (state.known & all == all).then_some(state.at);
                     state.known |= target.mask();
@@ -83,13 +140,13 @@ impl Follower<'_> {
                     if state.known & all != all {
                         continue;
                     }
-                    let places =
-                        self.axes(from.as_ref(), &to).map_err(|_| refused("the axes stand nowhere"))?;
+                    let length = self.tool(state.tool).map_or(0.0, |tool| tool.length);
+                    let setup = &self.setup.with_tool_length(length);
+                    let places = self
+                        .axes((setup, length), from.as_ref(), &to)
+                        .map_err(|_| refused("the axes stand nowhere"))?;
                     state.place = places.last().copied();
-                    let rapid = seconds.is_none();
-                    let (tool, spindle) = (state.tool, state.spindle);
-                    let at = Some(to);
-                    moves.push(FollowedMove { block: k + 1, tool, spindle, rapid, places, at, seconds });
+                    moves.push(state.moved(k + 1, (seconds.is_none(), seconds), places, Some(to)));
                 }
                 Block::Tip(motion) => {
                     let axis = match motion.orientation {
@@ -114,8 +171,10 @@ impl Follower<'_> {
                             None => return Err(refused("the tool points nowhere")),
                         },
                     };
-                    let tip =
-                        self.setup.clamping().inverse().point(&Point::from_vector(motion.tip.into())).xyz;
+                    let origin =
+                        self.held.offset.filter(|_| state.shifted).map_or([0.0; 3], |offset| offset.position);
+                    let tip = Vector3::from(motion.tip) + Vector3::from(origin);
+                    let tip = self.setup.clamping().inverse().point(&Point::from_vector(tip)).xyz;
                     let to = CutterPlace { tip, axis };
                     let way = state.place.map_or(0.0, |from| (from.tip - tip).norm());
                     let seconds = match motion.pace {
@@ -127,11 +186,8 @@ impl Follower<'_> {
                         }
                         Pace::Kept => state.speed.map(|speed| way / speed),
                     };
-                    let rapid = motion.pace == Pace::Rapid;
                     let places = state.place.into_iter().chain([to]).collect();
-                    let (tool, spindle) = (state.tool, state.spindle);
-                    let at = None;
-                    moves.push(FollowedMove { block: k + 1, tool, spindle, rapid, places, at, seconds });
+                    moves.push(state.moved(k + 1, (motion.pace == Pace::Rapid, seconds), places, None));
                     state.place = Some(to);
                 }
                 Block::Spindle { spindle: 0, speed } => state.spindle = Some(*speed),
@@ -147,22 +203,34 @@ impl Follower<'_> {
         Ok(moves)
     }
 
+    /// The job's tool of this number.
+    fn tool(&self, number: u32) -> Option<ToolData> {
+        self.work.tools.iter().map(|tool| tool.tool).find(|tool| tool.number == number)
+    }
+
+    /// Positions of a text as those of the machine's axes.
+    fn of_machine(&self, state: &State, target: &Targets) -> Targets {
+        let length = self.tool(state.tool).filter(|_| state.lengthened).map_or(0.0, |tool| tool.length);
+        self.held.meant(self.words, target, length)
+    }
+
     /// Places of the cutter on a straight block of the axes.
     fn axes(
         &self,
+        (setup, length): (&MillingSetup<'_>, f64),
         from: Option<&Positions>,
         to: &Positions,
     ) -> Result<Vec<CutterPlace>, machine::MachineError> {
         let place = |at: &Positions| {
-            let (tip, axis) = self.setup.stands(at)?;
+            let (tip, axis) = setup.stands(at)?;
             Ok(CutterPlace { tip: tip.xyz, axis: axis.xyz.normalize() })
         };
         let Some(from) = from else { return Ok(vec![place(to)?]) };
-        let reach = Point::new(0.0, 0.0, -self.tool_length);
-        let bound = self.setup.machine().straight_bound(Station::Work, [from, to], &reach)?;
+        let reach = Point::new(0.0, 0.0, -length);
+        let bound = setup.machine().straight_bound(Station::Work, [from, to], &reach)?;
         let bend = bound.chord() + LEVER * bound.turn.powi(2) / 8.0;
         let pieces = (bend / PIECE).sqrt().ceil().clamp(1.0, MOST_PIECES) as usize;
-        let at = |k: usize| between(self.setup, from, to, k as f64 / pieces as f64);
+        let at = |k: usize| between(setup, from, to, k as f64 / pieces as f64);
         (0..=pieces).map(|k| place(&at(k))).collect()
     }
 }

@@ -5,6 +5,7 @@ use super::failure::{in_pass, invalid, of_milling};
 use super::links::DIP;
 use super::safe_room::SafeRoom;
 use super::task::{MillingWork, ToolWork};
+use crate::workflow::prepare::ToolData;
 use crate::{CutterPath, CutterPlace, OperationKind};
 use foundation::kinematics::{Direction, Point};
 use motion::milling::CutterPlace as Place;
@@ -37,8 +38,7 @@ impl CutterPass {
 /// What is done with one tool before the next.
 #[derive(Clone, Debug)]
 pub(super) struct ToolPasses {
-    pub number: u32,
-    pub spindle_rpm: f64,
+    pub tool: ToolData,
     pub room: SafeRoom,
     pub passes: Vec<CutterPass>,
 }
@@ -103,9 +103,9 @@ fn check(work: &MillingWork<'_>) -> Result<(), RunFailure> {
     }
     for tool in &work.tools {
         let speeds = [
-            ("milling.feed_mm_per_min", tool.feed),
-            ("milling.plunge_feed_mm_per_min", tool.plunge_feed),
-            ("milling.spindle_rpm", tool.spindle_rpm),
+            ("milling.feed_mm_per_min", tool.tool.feed),
+            ("milling.plunge_feed_mm_per_min", tool.tool.plunge_feed),
+            ("milling.spindle_rpm", tool.tool.spindle_rpm),
         ];
         for (field, value) in speeds {
             if !(value.is_finite() && value > 0.0) {
@@ -126,7 +126,9 @@ pub(super) fn all_passes(work: &MillingWork<'_>) -> Result<Vec<ToolPasses>, RunF
     let mut tools = Vec::new();
     let mut from = 0;
     while let Some(first) = work.tools.get(from) {
-        let same = |other: &&ToolWork| other.number == first.number && other.spindle_rpm == first.spindle_rpm;
+        let same = |other: &&ToolWork| {
+            other.tool.number == first.tool.number && other.tool.spindle_rpm == first.tool.spindle_rpm
+        };
         let to = from + work.tools[from..].iter().take_while(same).count();
         let room = SafeRoom::new(work.retraction, &first.cutter);
         let mut passes = Vec::new();
@@ -138,8 +140,7 @@ pub(super) fn all_passes(work: &MillingWork<'_>) -> Result<Vec<ToolPasses>, RunF
             }
         }
         if !passes.is_empty() {
-            let (number, spindle_rpm) = (first.number, first.spindle_rpm);
-            tools.push(ToolPasses { number, spindle_rpm, room, passes });
+            tools.push(ToolPasses { tool: first.tool, room, passes });
         }
         from = to;
     }

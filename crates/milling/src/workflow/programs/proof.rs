@@ -92,7 +92,7 @@ impl MillingProgram {
 
     /// Only the rapid ones among them.
     pub fn first_space_rapid_paths(&self) -> Vec<MillPath> {
-        self.paths(|kind| matches!(kind, StepKind::Link | StepKind::Unwind))
+        self.paths(|kind| matches!(kind, StepKind::Link | StepKind::Unwind | StepKind::End))
     }
 
     fn paths(&self, wanted: impl Fn(StepKind) -> bool) -> Vec<MillPath> {

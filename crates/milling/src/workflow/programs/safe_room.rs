@@ -41,10 +41,10 @@ impl SafeRoom {
         let radial = if rho > 0.0 { Vector3::new(tip.x / rho, tip.y / rho, 0.0) } else { Vector3::zeros() };
         match self.body {
             Retraction::Outside(radius) => rho * dip - radius - self.reach(axis.dot(&radial)),
-            Retraction::OutsideCone { half_angle, distance } => {
+            Retraction::OutsideCone { half_angle, distance, apex } => {
                 let (sin, cos) = half_angle.sin_cos();
                 let out = radial * cos - Vector3::z() * sin;
-                rho * dip * cos - tip.z * sin - distance - self.reach(axis.dot(&out))
+                rho * dip * cos - (tip.z - apex) * sin - distance - self.reach(axis.dot(&out))
             }
             Retraction::Inside(radius) => {
                 // Towards the shank the tool comes nearer to the axis of the gear, so that only its discs on this side count.

@@ -1,6 +1,7 @@
 //! The blocks of a job on a machine: where each ends, what it does, how long it takes.
 
 use super::operation_figures::{OperationFigures, StraightKept};
+use crate::workflow::prepare::ToolData;
 use machine::Positions;
 use motion::milling::{BlockLimit, CutterPlace as Place};
 
@@ -21,6 +22,8 @@ pub enum StepKind {
     Cut,
     /// Along the cutter's axis out of the workpiece, as fast as the axes may.
     Retract,
+    /// Rapid to where the axes stand at the end of the program.
+    End,
 }
 
 /// One block: where it ends.
@@ -49,10 +52,8 @@ pub struct Step {
 /// All blocks with one tool.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToolRun {
-    /// Number of the tool.
-    pub number: u32,
-    /// Speed of its spindle, 1/min.
-    pub spindle_rpm: f64,
+    /// The tool.
+    pub tool: ToolData,
     /// Its blocks.
     pub steps: Vec<Step>,
 }
@@ -74,8 +75,10 @@ impl DrivenMotion {
     /// Time of the blocks of the first space, s: of one operation by its number, or of all.
     pub fn first_space_seconds(&self, operation: Option<usize>) -> f64 {
         let steps = self.tools.iter().flat_map(|run| &run.steps);
-        let wanted =
-            |step: &&Step| step.space == 0 && operation.is_none_or(|number| step.operation == number);
+        let wanted = |step: &&Step| {
+            let own = step.space == 0 && step.kind != StepKind::End;
+            own && operation.is_none_or(|number| step.operation == number)
+        };
         steps.filter(wanted).map(|step| step.seconds).sum()
     }
 }

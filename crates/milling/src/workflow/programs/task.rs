@@ -2,14 +2,16 @@
 
 use super::at_pole::AtPole;
 use super::follow::FollowedMove;
-use crate::job::{MillingMount, Rtcp};
+use super::held::HeldOffset;
+use crate::job::{EndMove, MillingMount, Rtcp};
+use crate::workflow::prepare::ToolData;
 use crate::{CutterPath, OperationKind, Retraction};
 use foundation::geometry::Cutter;
 use foundation::kinematics::{Pose, Workpiece};
 use job::machine::LoadedMachine;
 use job::tables::Program as DialectName;
 use machine::StationSpindle;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Rotation3, Vector3};
 use nc::TipControl;
 use referee::MillPath;
 
@@ -20,14 +22,8 @@ pub struct ToolWork {
     pub kind: OperationKind,
     /// The cutter.
     pub cutter: Cutter,
-    /// Number of the tool, 1 to 99999999.
-    pub number: u32,
-    /// Speed of the spindle, clockwise, 1/min.
-    pub spindle_rpm: f64,
-    /// Speed of the contact along the path, mm/min.
-    pub feed: f64,
-    /// Speed towards the first place of a path, mm/min.
-    pub plunge_feed: f64,
+    /// The tool that it is on the machine: number from 1 to 99999999, length, speeds, coolant.
+    pub tool: ToolData,
     /// Paths in the order of cutting, in coordinates of the workpiece.
     pub paths: Vec<CutterPath>,
 }
@@ -55,7 +51,12 @@ impl MillingWork<'_> {
 
     /// Index of the first tool with this number.
     pub fn tool(&self, number: u32) -> usize {
-        self.tools.iter().position(|tool| tool.number == number).unwrap_or(0)
+        self.tools.iter().position(|tool| tool.tool.number == number).unwrap_or(0)
+    }
+
+    /// Length of the longest tool, mm.
+    pub fn longest_tool(&self) -> f64 {
+        self.tools.iter().map(|tool| tool.tool.length).fold(0.0, f64::max)
     }
 
     /// Every move of a text as a path of its own.
@@ -72,8 +73,16 @@ pub struct MillingMachining<'a> {
     pub machine: &'a LoadedMachine,
     /// How the workpiece sits on its table.
     pub mount: MillingMount,
-    /// From the nose of the spindle to the tip of the cutter, mm.
-    pub tool_length: f64,
+    /// Clocking angle of the workpiece that the control holds beside the mount, rad.
+    pub held_clocking: Option<f64>,
+    /// Origin that the control holds.
+    pub work_offset: Option<HeldOffset>,
+    /// Whether the control adds the lengths of tools to positions of the axes.
+    pub holds_lengths: bool,
+    /// Time for the spindle to come to its speed, s; 0: none.
+    pub spindle_dwell: f64,
+    /// Where the axes go at the end, one after the other.
+    pub end_position: &'a [EndMove],
     /// Who leads the tip of the tool.
     pub rtcp: Rtcp,
     /// How a control with tip control receives the axis of the tool.
@@ -86,10 +95,11 @@ pub struct MillingMachining<'a> {
     pub dialects: &'a [DialectName],
 }
 
-/// How the workpiece is clamped: turned over about the table's x, then put to its place.
+/// How the workpiece is clamped: turned about its axis by its clocking angle, turned over about the table's x, then put to its place.
 pub fn clamping(mount: &MillingMount) -> Pose<StationSpindle, Workpiece> {
     let sense = if mount.turned_over { -1.0 } else { 1.0 };
     let turn = Matrix3::from_diagonal(&Vector3::new(1.0, sense, sense));
     let [x, y] = mount.offset;
-    Pose::rigid(turn, Vector3::new(x, y, mount.height))
+    let clocked = Rotation3::from_axis_angle(&Vector3::z_axis(), mount.clocking_deg.to_radians());
+    Pose::rigid(turn * clocked.matrix(), Vector3::new(x, y, mount.height))
 }

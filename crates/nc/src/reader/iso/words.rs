@@ -9,11 +9,9 @@ use crate::reader::scan::{Decimal, Scan};
 /// Most codes of one line.
 const CODES: usize = 16;
 
-const LINUXCNC_CODES: &str =
-    "G0 G1 G4 G17 G20 G21 G40 G49 G61 G64 G80 G90 G91 G93 G94, M0 M1 M2 M3 M4 M5 M6 M30 M62 M63 M64 M65";
-const FANUC_CODES: &str =
-    "G0 G1 G4 G5.1 G17 G20 G21 G40 G43.4 G43.5 G49 G53 G64 G80 G81 G90 G91 G93 G94, M0 M1 M2 M3 M4 M5 M6 M30";
-const LINUXCNC_WORDS: &str = "G M N F S P T $, letters of the axis map, comments ( ) and ;";
+const LINUXCNC_CODES: &str = "G0 G1 G4 G17 G20 G21 G40 G43 G49 G54 to G59.3 G61 G64 G80 G90 G91 G93 G94, M0 M1 M2 M3 M4 M5 M6 M7 M8 M9 M30 M62 M63 M64 M65";
+const FANUC_CODES: &str = "G0 G1 G4 G5.1 G17 G20 G21 G40 G43 G43.4 G43.5 G49 G53 G54 to G59 G54.1 G64 G80 G81 G90 G91 G93 G94, M0 M1 M2 M3 M4 M5 M6 M7 M8 M9 M30";
+const LINUXCNC_WORDS: &str = "G M N F S P T H $, letters of the axis map, comments ( ) and ;";
 const FANUC_WORDS: &str = "G M N O F S P Q T L H, letters of the axis map, X Y Z I J K under G43.4 and G43.5, #1101= to #1115=, comments ( ), capital letters only";
 
 /// Codes of G in tenths, and the group that allows one of them in a line.
@@ -24,7 +22,10 @@ fn group(dialect: Dialect, tenths: u32) -> Option<u32> {
         170 => 2,
         200 | 210 => 3,
         400 => 4,
-        490 => 5,
+        430 | 490 => 5,
+        540 | 550 | 560 | 570 | 580 | 590 => 11,
+        541 if dialect == Dialect::Fanuc => 11,
+        591..=593 if dialect == Dialect::LinuxCnc => 11,
         434 | 435 if dialect == Dialect::Fanuc => 5,
         610 | 640 => 6,
         900 | 910 => 7,
@@ -193,7 +194,7 @@ impl Iso<'_> {
                 }
                 b'M' => {
                     let code = number.count().filter(|code| {
-                        matches!(code, 0..=6 | 30) || (!self.is_fanuc() && matches!(code, 62..=65))
+                        matches!(code, 0..=9 | 30) || (!self.is_fanuc() && matches!(code, 62..=65))
                     });
                     let Some(code) = code else {
                         let allowed = if self.is_fanuc() { FANUC_CODES } else { LINUXCNC_CODES };
@@ -207,7 +208,7 @@ impl Iso<'_> {
                 _ => {
                     let bit = 1 << letter(name);
                     // X may be a dwell where no axis has it.
-                    let plain = if self.is_fanuc() { &b"FSPQTLOXH"[..] } else { b"FSPT" };
+                    let plain = if self.is_fanuc() { &b"FSPQTLOXH"[..] } else { b"FSPTH" };
                     let tip = self.machine.tip.is_some() && b"XYZIJK".contains(&name);
                     if let Some(axis) = self.letters[letter(name)].filter(|_| !tip) {
                         if self.is_fanuc() && !number.pointed {

@@ -4,7 +4,7 @@ use super::{CODES, Siemens, TipSwitch};
 use crate::reader::error::{ReadError, ReadProblem};
 use crate::reader::machine::{Fault, Meaning, Motion};
 use crate::reader::scan::{Decimal, Scan};
-use crate::{Block, TipControl, Word};
+use crate::{Block, Coolant, TipControl, Word};
 
 const WORDS: &str = "G M N F S, axes of the axis map, X1=.. IC() AC(), S1= M1=, T D M6, TRAORI ORIWKS ORIMKS A3= B3= C3= TRAFOOF, POLY PO[] PL=, BSPLINE SD=, WHEN TRUE DO $A_OUT[]=, comments ;";
 
@@ -23,7 +23,7 @@ fn group(code: u32) -> Option<u32> {
         70 | 71 | 700 | 710 => 3,
         40 => 4,
         64 => 5,
-        500 => 6,
+        54..=57 | 500 | 505..=599 => 6,
         90 | 91 => 7,
         93 | 94 => 8,
         _ => return None,
@@ -340,6 +340,13 @@ impl Siemens<'_> {
             Some(6) if spindle == 0 && !self.line.tip.change => {
                 self.line.tip.change = true;
                 return Ok(());
+            }
+            Some(code @ 7..=9) if spindle == 0 => {
+                let coolant = [Coolant::Mist, Coolant::Flood, Coolant::Off][code as usize - 7];
+                return match self.line.coolant.replace(coolant) {
+                    None => Ok(()),
+                    Some(_) => Err((ReadProblem::Conflict, "one of M7, M8, M9")),
+                };
             }
             Some(code @ (0 | 1 | 2 | 30)) => {
                 return match self.line.halt.replace(code) {

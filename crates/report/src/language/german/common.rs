@@ -118,6 +118,7 @@ pub(super) const TEXTS: &[Text] = &[
     ("Measuring a skiving tool in the machine", "Messen eines Schälrads in der Maschine"),
     ("Electronic gearbox", "Elektronisches Getriebe"),
     ("Inspection of a gear", "Messung eines Zahnrads"),
+    ("Inspection of a bevel gear", "Messung eines Kegelrads"),
     ("generating grinding", "Wälzschleifen"),
     ("tangential dressing", "tangentiales Abrichten"),
     ("five axis milling", "Fünfachsfräsen"),

@@ -14,8 +14,16 @@ pub(super) const TEXTS: &[Text] = &[
         "Das Verhältnis, das die Linien des Werkzeugs auf Rücknahmen oder Wellen der Sollflanke legt.",
     ),
     (
+        "The ratio at which worm, dresser and motion together come nearest to the whole target.",
+        "Das Verhältnis, bei dem Schnecke, Abrichter und Bewegung zusammen der ganzen Sollflanke am nächsten kommen.",
+    ),
+    (
         "The shift follows a law of the feed; the ratio is its mean.",
         "Das Shiften folgt einem Gesetz über dem Vorschub; das Verhältnis ist sein Mittel.",
+    ),
+    (
+        "No allowed ratio is exact to half the tolerance on an ideal worm: the one of least error.",
+        "Kein erlaubtes Verhältnis ist an einer idealen Schnecke auf die halbe Toleranz genau: das mit dem kleinsten Fehler.",
     ),
     (
         "The ratio that uses least of the worm within half the tolerance and half the limits of the axes (`grinding.prefer`).",
@@ -222,6 +230,10 @@ pub(super) const TEXTS: &[Text] = &[
     ),
     ("{} {n} to {n} deg", "{} {} bis {} deg"),
     (
+        "Where the axes stand at the end of the program, as the control counts them: {}.",
+        "Wo die Achsen am Ende des Programms stehen, wie die Steuerung sie zählt: {}.",
+    ),
+    (
         "{} on the machine {}: both rotary axes together travel {n} deg along the row, {n} deg less than with the axis along the parameter lines; the lean into the feed is at most {n} deg instead of {n} deg.",
         "{} auf der Maschine {}: Beide Drehachsen zusammen drehen längs der Zeile {} deg, {} deg weniger als mit der Achse längs der Parameterlinien; die Neigung in den Vorschub ist höchstens {} deg statt {} deg.",
     ),
@@ -336,6 +348,7 @@ pub(super) const TEXTS: &[Text] = &[
         "Klasse {} der ISO 1328-1:2013 braucht es, und die Datei enthält es nicht",
     ),
     ("measure it, or leave the class out", "messen oder die Klasse weglassen"),
+    ("mill the next part by corrected-job.json", "das nächste Teil nach corrected-job.json fräsen"),
     ("grind the next part by corrected-job.json", "das nächste Teil nach corrected-job.json schleifen"),
     (
         "nothing that all teeth share is large enough for the settings that may be turned",

@@ -112,6 +112,7 @@ pub(super) const TEXTS: &[Text] = &[
     ("{n} to {n}", "{} bis {}"),
     ("{n} to {n} mm", "{} bis {} mm"),
     ("Times", "Zeiten"),
+    ("Not known: there are no programs.", "Nicht bekannt: es gibt keine Programme."),
     (
         "Not known: no programs, the job names no machine.",
         "Nicht bekannt: keine Programme, der Auftrag nennt keine Maschine.",

@@ -3,6 +3,37 @@
 use super::Text;
 
 pub(super) const TEXTS: &[Text] = &[
+    (
+        "Axes of the machine that would explain the measurement, each by itself",
+        "Achsen der Maschine, die die Messung erklären würden, jede für sich",
+    ),
+    ("axial positions", "axiale Stellen"),
+    ("lengths of roll", "Wälzlängen"),
+    ("Off by", "Abweichung der Achse"),
+    (
+        "The model has no flank with this axis off: {}.",
+        "Das Modell hat keine Flanke, wenn diese Achse abweicht: {}.",
+    ),
+    ("Standard uncertainty", "Standardunsicherheit"),
+    ("Explains", "Erklärt"),
+    ("Leaves nearly the same", "Hinterlässt fast dasselbe"),
+    (
+        "Share of the squares of the measured lines about their means. Coefficients hold at the ends of the face. A measurement cannot tell that an axis is off, only that this would explain it.",
+        "Anteil der Quadrate der gemessenen Linien um ihre Mittelwerte. Koeffizienten gelten an den Enden der Zahnbreite. Eine Messung kann nicht sagen, dass eine Achse abweicht, nur dass dies sie erklären würde.",
+    ),
+    ("crossing angle of worm and workpiece", "Kreuzungswinkel von Schnecke und Werkstück"),
+    ("angle of the worm in dressing", "Winkel der Schnecke beim Abrichten"),
+    ("crossing angle in dressing", "Kreuzungswinkel beim Abrichten"),
+    ("centre distance in dressing", "Achsabstand beim Abrichten"),
+    (
+        "Axes of the machine that explain the measurement together",
+        "Achsen der Maschine, die die Messung zusammen erklären",
+    ),
+    (
+        "Together they explain {n} % of the squares of the measured lines, clearly more than each by itself.",
+        "Zusammen erklären sie {} % der Quadrate der gemessenen Linien, deutlich mehr als jede für sich.",
+    ),
+    ("offset of the dresser", "Versatz des Abrichters"),
     ("Values and classes to ISO 1328-1:2013", "Werte und Klassen nach ISO 1328-1:2013"),
     ("Measured", "Gemessen"),
     ("Class reached", "Erreichte Klasse"),
@@ -46,6 +77,63 @@ pub(super) const TEXTS: &[Text] = &[
     ("deviation rms", "Abweichung, quadratisches Mittel"),
     ("after the correction, by the referee", "nach der Korrektur, unabhängige Simulation"),
     ("class asked for", "verlangte Klasse"),
+    (
+        "{n} of the left flanks were measured as a surface: what all teeth share is not distinguished from chance",
+        "{} der linken Flanken wurden als Fläche gemessen: Was alle Zähne gemeinsam haben, ist nicht vom Zufall unterschieden",
+    ),
+    (
+        "{n} of the right flanks were measured as a surface: what all teeth share is not distinguished from chance",
+        "{} der rechten Flanken wurden als Fläche gemessen: Was alle Zähne gemeinsam haben, ist nicht vom Zufall unterschieden",
+    ),
+    (
+        "measure the grid on three teeth or more, evenly around the gear",
+        "das Raster an drei oder mehr Zähnen messen, gleichmäßig um das Rad",
+    ),
+    ("class of ISO 17485", "Klasse nach ISO 17485"),
+    ("Values and classes to ISO 17485:2006", "Werte und Klassen nach ISO 17485:2006"),
+    (
+        "Pitches on the mean pitch diameter. The standard has no tolerances for flank forms; these are judged by the tolerance of the job.",
+        "Teilungen auf dem mittleren Teilkreisdurchmesser. Die Norm hat keine Toleranzen für Flankenformen; diese werden nach der Toleranz des Auftrags beurteilt.",
+    ),
+    (
+        "The pitch was measured at row {n}, column {n}, on a radius of {n} mm; deviations are on the mean pitch diameter of {n} mm.",
+        "Die Teilung wurde in Zeile {}, Spalte {} auf einem Radius von {} mm gemessen; Abweichungen gelten auf dem mittleren Teilkreisdurchmesser von {} mm.",
+    ),
+    ("Cumulative pitch of every tooth", "Summenteilung jedes Zahns"),
+    ("points of the grid", "Punkte des Rasters"),
+    ("teeth measured, {}", "gemessene Zähne, {}"),
+    ("{n} x {n} points of a grid a tooth", "{} x {} Punkte eines Rasters je Zahn"),
+    (
+        "All values are normal to the flank, positive where material is left standing, about their mean: what lies everywhere is thickness or the turn of the gear on the measuring machine. w is the length of roll in the middle of the face; z counts from there along the pitch cone, the heel at the upper end.",
+        "Alle Werte sind normal zur Flanke, positiv wo Material stehen bleibt, um ihr Mittel: Was überall liegt, ist Zahndicke oder die Drehlage des Rads auf dem Messgerät. w ist die Wälzlänge in der Mitte der Zahnbreite; z zählt von dort längs des Teilkegels, die Ferse am oberen Ende.",
+    ),
+    (
+        "The measured flanks are within {} µm of the target, and the gear reaches class {} of ISO 17485:2006.",
+        "Die gemessenen Flanken liegen innerhalb von {} µm um die Sollflanke, und das Zahnrad erreicht Klasse {} der ISO 17485:2006.",
+    ),
+    ("class {n} of ISO 17485", "Klasse {} nach ISO 17485"),
+    ("flank forms by a class", "Flankenformen nach einer Klasse"),
+    ("ISO 17485 has no tolerances for them", "ISO 17485 hat keine Toleranzen dafür"),
+    ("pitches and run-out", "Teilungen und Rundlauf"),
+    ("no class of ISO 17485 was asked for", "keine Klasse der ISO 17485 wurde verlangt"),
+    ("{} flank, single pitch", "{} Flanke, Einzelteilung"),
+    ("{} flank, total pitch", "{} Flanke, Gesamtteilung"),
+    (
+        "{}: {} is {n} um, class {n} of ISO 17485:2006 allows {n} um",
+        "{}: {} beträgt {} um, Klasse {} der ISO 17485:2006 erlaubt {} um",
+    ),
+    (
+        "look at the indexing axis, the clamping and the blank",
+        "die Teilachse, die Aufspannung und den Rohling prüfen",
+    ),
+    (
+        "target, simulated and measured flank at every point",
+        "Soll-, simulierte und gemessene Flanke in jedem Punkt",
+    ),
+    (
+        "points and normals at which the flanks are measured",
+        "Punkte und Normalen, an denen die Flanken gemessen werden",
+    ),
     ("worse than 11", "schlechter als 11"),
     ("class of ISO 1328-1", "Klasse nach ISO 1328-1"),
     ("largest difference from printed values", "größter Unterschied zu gedruckten Werten"),
@@ -85,6 +173,10 @@ pub(super) const TEXTS: &[Text] = &[
     ("State", "Zustand"),
     ("First order off by", "Erste Ordnung daneben um"),
     ("corrected, by the referee", "korrigiert, unabhängige Simulation"),
+    (
+        "The corrected job takes the measured deviation, as a surface of third degree, off the flank that its paths are planned on.",
+        "Der korrigierte Auftrag nimmt die gemessene Abweichung, als Fläche dritten Grades, von der Flanke, auf der seine Bahnen geplant werden.",
+    ),
     ("What the corrected job leaves", "Was der korrigierte Auftrag lässt"),
     (
         "Deviation from the target about its mean. The corrected job was planned and simulated by the referee; the change of its simulated flank is added to the measured deviation.",

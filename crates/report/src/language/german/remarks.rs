@@ -4,6 +4,23 @@ use super::Text;
 
 pub(super) const TEXTS: &[Text] = &[
     // Drawing, blank, dressing.
+    ("backs of blades of 1 mm and less", "Rücken von Schaufeln von 1 mm und weniger"),
+    (
+        "the profile of the dresser is a curve through measured points: with another measurement the left flank would differ by up to {n} µm (95 %), which no verdict counts",
+        "das Profil des Abrichters ist eine Kurve durch gemessene Punkte: mit einer anderen Messung wäre die linke Flanke um bis zu {} µm (95 %) anders, was in kein Urteil eingeht",
+    ),
+    (
+        "the profile of the dresser is a curve through measured points: with another measurement the right flank would differ by up to {n} µm (95 %), which no verdict counts",
+        "das Profil des Abrichters ist eine Kurve durch gemessene Punkte: mit einer anderen Messung wäre die rechte Flanke um bis zu {} µm (95 %) anders, was in kein Urteil eingeht",
+    ),
+    (
+        "measure it at more points or with less noise: that is more than a tenth of the tolerance",
+        "es an mehr Stellen oder mit weniger Rauschen messen: das ist mehr als ein Zehntel der Toleranz",
+    ),
+    (
+        "none is needed: that is less than a tenth of the tolerance",
+        "nichts ist nötig: das ist weniger als ein Zehntel der Toleranz",
+    ),
     ("class {n} of ISO 1328-1", "Klasse {} nach ISO 1328-1"),
     (
         "a plan has no pitches and no run-out; `flankwright inspect` judges a measured gear by it",
@@ -33,6 +50,14 @@ pub(super) const TEXTS: &[Text] = &[
         "right flank after stroke {n}, which shifts by a ratio of its own",
         "rechte Flanke nach Hub {}, der mit eigenem Verhältnis shiftet",
     ),
+    (
+        "left flank after stroke {n}, which has its own area of the worm",
+        "linke Flanke nach Hub {}, der einen eigenen Bereich der Schnecke hat",
+    ),
+    (
+        "right flank after stroke {n}, which has its own area of the worm",
+        "rechte Flanke nach Hub {}, der einen eigenen Bereich der Schnecke hat",
+    ),
     ("{n} µm or more above the finished flank", "mindestens {} µm über der fertigen Flanke"),
     ("up to {n} µm below the finished flank", "bis {} µm unter der fertigen Flanke"),
     (
@@ -42,6 +67,14 @@ pub(super) const TEXTS: &[Text] = &[
     (
         "stroke {n} goes {n} um below the finished right flank: its shift leaves another twist than the plan, more than the {n} um that it is to leave",
         "Hub {} geht {} um unter die fertige rechte Flanke: sein Shift lässt eine andere Verschränkung stehen als der Plan, mehr als die {} um, die er stehen lassen soll",
+    ),
+    (
+        "stroke {n} goes {n} um below the finished left flank: its area leaves another flank than the plan, more than the {n} um that it is to leave",
+        "Hub {} geht {} um unter die fertige linke Flanke: sein Bereich lässt eine andere Flanke stehen als der Plan, mehr als die {} um, die er stehen lassen soll",
+    ),
+    (
+        "stroke {n} goes {n} um below the finished right flank: its area leaves another flank than the plan, more than the {n} um that it is to leave",
+        "Hub {} geht {} um unter die fertige rechte Flanke: sein Bereich lässt eine andere Flanke stehen als der Plan, mehr als die {} um, die er stehen lassen soll",
     ),
     ("stock on the left flank", "Aufmaß der linken Flanke"),
     ("stock on the right flank", "Aufmaß der rechten Flanke"),
@@ -80,6 +113,7 @@ pub(super) const TEXTS: &[Text] = &[
     ),
     ("the job does not grind it", "der Auftrag schleift sie nicht"),
     ("the job names no machine", "der Auftrag nennt keine Maschine"),
+    ("a roughing stroke goes below the finished flank", "ein Schrupphub geht unter die fertige Flanke"),
     (
         "the job has no [control]; couplings are ideal",
         "der Auftrag hat kein [control]; Kopplungen sind ideal",
@@ -344,6 +378,9 @@ pub(super) const TEXTS: &[Text] = &[
     ("the tracks lie on the flanks' edges", "die Spuren liegen auf den Flankenschneiden"),
     ("the profile is judged for a feed of nothing", "das Profil ist für einen Vorschub null beurteilt"),
     ("poses and turns", "Lagen und Drehungen"),
+    ("coupling, law and flank", "Kopplung, Gesetz und Flanke"),
+    ("ball and flanks", "Kugel und Flanken"),
+    ("ways and switches", "Wege und Schaltstellen"),
     (
         "every measured point within its limits, from the text",
         "jeder Messpunkt innerhalb seiner Grenzen, aus dem Text",
@@ -396,6 +433,13 @@ pub(super) const TEXTS: &[Text] = &[
     (
         "{n} of {n} µm by the mean of the whole teeth, guard band {n} µm",
         "{} von {} µm nach dem Mittel der ganzen Zähne, Sicherheitsband {} µm",
+    ),
+    ("run-out correction", "Rundlaufkorrektur"),
+    ("setting by the measured workpiece", "Einstellung nach dem gemessenen Werkstück"),
+    ("prediction within {n} µm of the simulation", "Vorhersage auf {} µm bei der Simulation"),
+    (
+        "correct a smaller error at a time, or widen the tolerance",
+        "weniger Fehler auf einmal korrigieren oder die Toleranz weiten",
     ),
     (
         "prediction and simulation of the {} differ by {n} µm, more than a tenth of the tolerance of {n} µm",

@@ -89,20 +89,20 @@ pub(super) const TEXTS: &[Text] = &[
     ("fastest with {n} roughing", "der schnellste mit {} Schruppen"),
     ("not within the limits", "nicht innerhalb der Grenzen"),
     (
-        "Roughing strokes of equal depth and one finishing stroke on {n} µm of stock on both flanks, every feed at its limit. Parts per dressing: if the width is used at its best. `technology.cycle` takes the standard, the fastest or the cheapest, `technology.strokes` any other.",
-        "Gleich tiefe Schrupphübe und ein Schlichthub bei {} µm Aufmaß beider Flanken, jeder Vorschub an seiner Grenze. Teile je Abrichten: bei bester Nutzung der Breite. `technology.cycle` nimmt den Standard, den schnellsten oder den billigsten, `technology.strokes` jeden anderen.",
+        "Roughing strokes of equal depth and one finishing stroke on {n} µm of stock, every feed at its limit. Parts per dressing: if the width is used at its best. `technology.cycle` takes the standard, the fastest or the cheapest, `technology.strokes` any other.",
+        "Gleich tiefe Schrupphübe und ein Schlichthub bei {} µm Aufmaß, jeder Vorschub an seiner Grenze. Teile je Abrichten: bei bester Nutzung der Breite. `technology.cycle` nimmt den Standard, den schnellsten oder den billigsten, `technology.strokes` jeden anderen.",
     ),
     (
-        "Roughing strokes of equal depth and one finishing stroke on {n} µm of stock on both flanks, every feed at its limit. Parts per dressing: if the width is used at its best. `technology.cycle` takes the standard, the fastest or the cheapest, `technology.strokes` any other. No machine is named: ramps of axes are left out.",
-        "Gleich tiefe Schrupphübe und ein Schlichthub bei {} µm Aufmaß beider Flanken, jeder Vorschub an seiner Grenze. Teile je Abrichten: bei bester Nutzung der Breite. `technology.cycle` nimmt den Standard, den schnellsten oder den billigsten, `technology.strokes` jeden anderen. Keine Maschine ist genannt: Rampen der Achsen sind ausgelassen.",
+        "Roughing strokes of equal depth and one finishing stroke on {n} µm of stock, every feed at its limit. Parts per dressing: if the width is used at its best. `technology.cycle` takes the standard, the fastest or the cheapest, `technology.strokes` any other. No machine is named: ramps of axes are left out.",
+        "Gleich tiefe Schrupphübe und ein Schlichthub bei {} µm Aufmaß, jeder Vorschub an seiner Grenze. Teile je Abrichten: bei bester Nutzung der Breite. `technology.cycle` nimmt den Standard, den schnellsten oder den billigsten, `technology.strokes` jeden anderen. Keine Maschine ist genannt: Rampen der Achsen sind ausgelassen.",
     ),
     (
-        "Roughing strokes of equal depth and one finishing stroke on {n} µm of stock on both flanks, every feed at its limit. Parts per dressing: if the width is used at its best. `technology.cycle` takes the standard, the fastest or the cheapest, `technology.strokes` any other. Without a limit of V'_w dressing is left out.",
-        "Gleich tiefe Schrupphübe und ein Schlichthub bei {} µm Aufmaß beider Flanken, jeder Vorschub an seiner Grenze. Teile je Abrichten: bei bester Nutzung der Breite. `technology.cycle` nimmt den Standard, den schnellsten oder den billigsten, `technology.strokes` jeden anderen. Ohne eine Grenze von V'_w ist das Abrichten ausgelassen.",
+        "Roughing strokes of equal depth and one finishing stroke on {n} µm of stock, every feed at its limit. Parts per dressing: if the width is used at its best. `technology.cycle` takes the standard, the fastest or the cheapest, `technology.strokes` any other. Without a limit of V'_w dressing is left out.",
+        "Gleich tiefe Schrupphübe und ein Schlichthub bei {} µm Aufmaß, jeder Vorschub an seiner Grenze. Teile je Abrichten: bei bester Nutzung der Breite. `technology.cycle` nimmt den Standard, den schnellsten oder den billigsten, `technology.strokes` jeden anderen. Ohne eine Grenze von V'_w ist das Abrichten ausgelassen.",
     ),
     (
-        "Roughing strokes of equal depth and one finishing stroke on {n} µm of stock on both flanks, every feed at its limit. Parts per dressing: if the width is used at its best. `technology.cycle` takes the standard, the fastest or the cheapest, `technology.strokes` any other. No machine is named: ramps of axes are left out. Without a limit of V'_w dressing is left out.",
-        "Gleich tiefe Schrupphübe und ein Schlichthub bei {} µm Aufmaß beider Flanken, jeder Vorschub an seiner Grenze. Teile je Abrichten: bei bester Nutzung der Breite. `technology.cycle` nimmt den Standard, den schnellsten oder den billigsten, `technology.strokes` jeden anderen. Keine Maschine ist genannt: Rampen der Achsen sind ausgelassen. Ohne eine Grenze von V'_w ist das Abrichten ausgelassen.",
+        "Roughing strokes of equal depth and one finishing stroke on {n} µm of stock, every feed at its limit. Parts per dressing: if the width is used at its best. `technology.cycle` takes the standard, the fastest or the cheapest, `technology.strokes` any other. No machine is named: ramps of axes are left out. Without a limit of V'_w dressing is left out.",
+        "Gleich tiefe Schrupphübe und ein Schlichthub bei {} µm Aufmaß, jeder Vorschub an seiner Grenze. Teile je Abrichten: bei bester Nutzung der Breite. `technology.cycle` nimmt den Standard, den schnellsten oder den billigsten, `technology.strokes` jeden anderen. Keine Maschine ist genannt: Rampen der Achsen sind ausgelassen. Ohne eine Grenze von V'_w ist das Abrichten ausgelassen.",
     ),
     (
         "The fastest cycle with both limits of Q'_w multiplied by the same factor: what a harder or softer grind brings.",

@@ -27,6 +27,29 @@ pub(super) const TEXTS: &[Text] = &[
     ("Beside it: crowning by radial feed", "Daneben: Balligkeit durch Radialzustellung"),
     ("Worm length and passes", "Schneckenbreite und Durchgänge"),
     ("Sensitivity topographies", "Empfindlichkeits-Topographien"),
+    ("Dresser profile and worm topography", "Abrichterprofil und Schneckentopographie"),
+    ("Profile of the dresser", "Profil des Abrichters"),
+    ("Profile function of the dresser", "Profilfunktion des Abrichters"),
+    ("height above the pitch circle [mm]", "Höhe über dem Teilkreis [mm]"),
+    ("half thickness [mm]", "halbe Dicke [mm]"),
+    ("thinner than the nominal profile [µm]", "dünner als das Nennprofil [µm]"),
+    ("side of the left flank", "Seite der linken Flanke"),
+    ("side of the right flank", "Seite der rechten Flanke"),
+    (
+        "Axial section from the middle plane of the disc to each side that dresses a flank.",
+        "Axialschnitt von der Mittelebene der Scheibe bis zu jeder Seite, die eine Flanke abrichtet.",
+    ),
+    (
+        "What the half thickness lacks of the nominal profile, along the axis of the disc.",
+        "Was der halben Dicke am Nennprofil fehlt, längs der Achse der Scheibe.",
+    ),
+    ("Topography of the worm, {}", "Topographie der Schnecke, {}"),
+    (
+        "Material left on the worm against its involute flank, normal, over the length of roll and along the worm, as the rays of the verification found it under the dresser.",
+        "Material, das an der Schnecke gegenüber ihrer Evolventenflanke steht, normal, über dem Wälzweg und längs der Schnecke, wie es die Strahlen der Prüfung unter dem Abrichter fanden.",
+    ),
+    ("neutral shift ratio, left flank", "neutrales Shiftverhältnis, linke Flanke"),
+    ("neutral shift ratio, right flank", "neutrales Shiftverhältnis, rechte Flanke"),
     (
         "Both flanks are ground in one pass with the same motions. A half-turn about the common perpendicular exchanges the flanks: even powers of F_z, dX, F_C and F_T then act with opposite signs on them and cannot crown both; what crowns both are the distances dA and dist together with odd powers of dX and F_C.",
         "Beide Flanken werden in einem Durchgang mit denselben Bewegungen geschliffen. Eine halbe Drehung um die gemeinsame Normale der Achsen vertauscht die Flanken: Gerade Potenzen von F_z, dX, F_C und F_T wirken dann mit entgegengesetzten Vorzeichen und können nicht beide ballig machen; beide ballig machen die Abstände dA und dist zusammen mit ungeraden Potenzen von dX und F_C.",
@@ -104,4 +127,13 @@ pub(super) const TEXTS: &[Text] = &[
     ("Sensitivity to {}, {}", "Empfindlichkeit gegen {}, {}"),
     ("{}, {}: no effect of first order.", "{}, {}: keine Wirkung erster Ordnung."),
     ("dist{n}", "dist{}"),
+    ("dressing crossing angle", "Kreuzungswinkel beim Abrichten"),
+    (
+        "the {} flank at radius {n} mm, z = {n} mm needs the dresser at s = {n} mm; it has {n} to {n} mm",
+        "die Flanke ({}) braucht am Radius {} mm, z = {} mm, den Abrichter bei s = {} mm; er reicht von {} bis {} mm",
+    ),
+    (
+        "the contact that grinds the {} flank at radius {n} mm, z = {n} mm was not found: the search does not settle, although the envelope is far from folding there (determinant ratio {n})",
+        "die Berührung, die die Flanke ({}) am Radius {} mm, z = {} mm, schleift, wurde nicht gefunden: die Suche kommt nicht zur Ruhe, obwohl die Hüllfläche dort nicht faltet (Determinantenverhältnis {})",
+    ),
 ];

@@ -3,16 +3,18 @@
 use super::beam::nominal_beam;
 use super::calibration::{CalibrationOutcome, calibrate};
 use crate::evaluation::ProfileOptions;
-use crate::job::{LoadedSkivingJob, MeasuringPoses, Rake, RakeForm, SkivingJob};
+use crate::job::{LoadedSkivingJob, MeasuringPoses, Rake, RakeForm, SkivingJob, ToolKinematics};
 use crate::measuring::{
     BarrierData, Beam, FlankTracks, NearestFlank, PoseKind, PoseLimits, nearest_other_flank, reached_pose,
 };
 use crate::workflow::finding::failure;
 use crate::{
-    MeasuringTrack, PairData, Setting, SettingLimits, SkivedFlank, SkivingError, SkivingPair, VirtualEdge,
+    Kinematics, MeasuringTrack, PairData, Setting, SettingLimits, SkivedFlank, SkivingError, SkivingPair,
+    VirtualEdge,
 };
 use foundation::geometry::{
-    ConeRake, EdgeRounding, Flank, Gear, Helicoid, PlaneRake, RakeFace, Sides, SkivingTool, SphericalRake,
+    ConeRake, EdgeRounding, Flank, Gear, Helicoid, PlaneRake, RakeChange, RakeFace, Sides, SkivingTool,
+    SphericalRake, VariableRake,
 };
 use foundation::modification::EvaluationField;
 use run::{
@@ -78,6 +80,10 @@ pub(super) fn bodies_of_job(loaded: &LoadedSkivingJob) -> Result<SkivingBodies, 
         tool_shift: job.skiving.tool_shift,
         centre_distance: job.skiving.centre_distance,
         crossed_axes_angle: job.skiving.crossed_axes_angle_deg.map(f64::to_radians),
+        kinematics: match job.skiving.kinematics {
+            ToolKinematics::Skiving => Kinematics::Skiving,
+            ToolKinematics::Shaping => Kinematics::Shaping,
+        },
     };
     let pair = SkivingPair::new(tool(job).map_err(on)?, gear, setting).map_err(on)?;
     let edges = Sides::try_from_fn(|flank| {
@@ -166,6 +172,14 @@ fn rake_face(rake: &Rake, pitch_radius: f64) -> Arc<dyn RakeFace> {
         RakeForm::Plane => Arc::new(PlaneRake::new(angle, rake.step_angle_deg.to_radians(), pitch_radius)),
         RakeForm::Cone => Arc::new(ConeRake::new(angle, pitch_radius)),
         RakeForm::Sphere => Arc::new(SphericalRake::new(angle, pitch_radius)),
+        RakeForm::Variable => {
+            let change = RakeChange {
+                by_height: [rake.height_deg_per_mm.to_radians(), rake.height_deg_per_mm2.to_radians()],
+                hollow: rake.hollow_deg_per_mm.to_radians(),
+                twist: rake.twist_deg_per_mm.to_radians(),
+            };
+            Arc::new(VariableRake::new(angle, rake.step_angle_deg.to_radians(), change, pitch_radius))
+        }
     }
 }
 

@@ -16,8 +16,27 @@ pub struct CalibrationOutcome {
     pub beam: Option<Beam>,
     /// Standard deviation of a switch, um.
     pub noise_um: f64,
+    /// How the mandrel is driven into the beam.
+    pub drive: MandrelDrive,
     /// Figures.
     pub result: CalibrationResult,
+}
+
+/// A mandrel and how it is driven into the beam.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MandrelDrive {
+    /// The mandrel.
+    pub mandrel: Mandrel,
+    /// Z of its lower face, at two heights.
+    pub heights: [f64; 2],
+    /// From the spindle's origin to its lower face, mm; that of the tool where it is not given.
+    pub length: Option<f64>,
+    /// Turns of the spindle, evenly spaced.
+    pub spindle_positions: usize,
+    /// Speed, mm/s.
+    pub speed: f64,
+    /// How far the beam may be from where it is given, mm.
+    pub reach: f64,
 }
 
 /// What the mandrel keeps from the beam before it is driven in, mm.
@@ -63,14 +82,30 @@ pub(super) fn calibrate(
         residual_um: 1e3 * fitted.residual,
         switches: seen.iter().map(switch_result).collect(),
     };
-    let tilts = [delta_deg, eps_deg].map(f64::to_radians);
     let point = Vector3::new(at.x, at.y, height);
-    let beam = measured.then(|| Beam::new(point, tilts, fitted.line.radius)).transpose().map_err(on)?;
-    Ok(CalibrationOutcome { beam, noise_um: given.noise_um, result })
+    let found = || {
+        let slope = fitted.line.slope;
+        match barrier.direction {
+            Some(_) => Beam::along(point, slope.push(1.0), fitted.line.radius),
+            None => Beam::new(point, [slope.x.atan(), slope.y.atan()], fitted.line.radius),
+        }
+    };
+    let beam = measured.then(found).transpose().map_err(on)?;
+    let low = seen.iter().map(|o| o.place.z).fold(f64::INFINITY, f64::min);
+    let high = seen.iter().map(|o| o.place.z).fold(f64::NEG_INFINITY, f64::max);
+    let drive = MandrelDrive {
+        mandrel,
+        heights: given.heights.unwrap_or([low, high]),
+        length: given.mandrel_length,
+        spindle_positions: given.spindle_positions,
+        speed: given.speed_mm_per_min / 60.0,
+        reach: given.reach,
+    };
+    Ok(CalibrationOutcome { beam, noise_um: given.noise_um, drive, result })
 }
 
 fn line_of(beam: &Beam) -> BeamLine {
-    let slope = beam.direction.xy();
+    let slope = beam.direction.xy() / beam.direction.z;
     BeamLine { point: beam.point.xy() - slope * beam.point.z, slope, radius: beam.radius }
 }
 

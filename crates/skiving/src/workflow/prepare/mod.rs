@@ -11,7 +11,7 @@ mod noted_history;
 mod recording;
 
 pub use bodies::SkivingBodies;
-pub use calibration::CalibrationOutcome;
+pub use calibration::{CalibrationOutcome, MandrelDrive};
 pub use drawn::Drawn;
 pub use mounting::ToolMounting;
 pub use noted_history::HistoryFile;
@@ -19,7 +19,9 @@ pub use recording::Recording;
 
 pub(super) use needs::needs_measurement;
 
-use crate::job::{LoadedSkivingJob, MonteCarlo, SkivingOutput, Stylus, ToolErrors};
+use crate::job::{
+    LoadedSkivingJob, MonteCarlo, RunoutCorrection, SkivingOutput, Stylus, ToolErrors, WorkpieceProbe,
+};
 use job::machine::LoadedMachine;
 use job::tables::JobInfo;
 use run::program_check::machine_of_job;
@@ -44,6 +46,12 @@ pub struct PreparedSkiving {
     pub readings: Option<PathBuf>,
     /// Errors of the tool whose measurement is simulated.
     pub tool_errors: Option<ToolErrors>,
+    /// How the run-out of the tool is answered.
+    pub runout: Option<RunoutCorrection>,
+    /// A probe that measures the machined workpiece.
+    pub probe: Option<WorkpieceProbe>,
+    /// The file of its values that the job names.
+    pub probe_readings: Option<PathBuf>,
     /// A stylus that scans the edges.
     pub stylus: Option<Stylus>,
     /// How often the measurement is repeated with other noise.
@@ -74,6 +82,13 @@ pub fn prepare_skiving(loaded: &LoadedSkivingJob) -> Result<PreparedSkiving, Run
         tolerance_um: job.target.tolerance_um,
         readings: job.readings.as_ref().map(|given| loaded.beside(&given.file)),
         tool_errors: job.tool_errors.clone(),
+        runout: job.runout,
+        probe: job.workpiece_probe.clone(),
+        probe_readings: job
+            .workpiece_probe
+            .as_ref()
+            .and_then(|given| given.readings.as_ref())
+            .map(|file| loaded.beside(file)),
         stylus: job.stylus.clone(),
         monte_carlo: job.monte_carlo,
         history: job.history.as_ref().map(|given| HistoryFile::of_job(loaded, given)),

@@ -9,7 +9,11 @@ use run::RunFailure;
 /// # Errors
 /// A finding on the table.
 pub(in crate::workflow) fn needs_measurement(job: &SkivingJob, measured: bool) -> Result<(), RunFailure> {
-    let tables = [("history", job.history.is_some()), ("monte_carlo", job.monte_carlo.is_some())];
+    let tables = [
+        ("history", job.history.is_some()),
+        ("monte_carlo", job.monte_carlo.is_some()),
+        ("runout", job.runout.is_some()),
+    ];
     match tables.into_iter().find(|(_, given)| *given && !measured) {
         None => Ok(()),
         Some((table, _)) => {

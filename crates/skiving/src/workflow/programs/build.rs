@@ -1,19 +1,29 @@
 //! From work to texts: laid out for every control, written, read back, proven.
 
+use super::calibration::{CalibrationCourse, MandrelWay, calibration_course};
+use super::calibration_proof;
 use super::course::Course;
-use super::failure::{invalid, of_motion};
+use super::failure::{invalid, not_proven, of_motion};
+use super::judge::follow;
 use super::measuring::{MeasuringCourse, Recording, measuring_course};
+use super::probe::{ProbeCourse, ProbedProfile, probe_course};
+use super::probe_proof;
 use super::proof::{OWN_ROUNDING, Proof, prove};
 use super::scan::{ScanCourse, Scanned, scan_course};
 use super::scan_proof::prove_scans;
+use super::skive::{SkivingCourse, skiving_course};
+use super::skive_proof;
 use super::target::{Target, bound, plain, planned};
-use super::task::{MeasuringWork, ScanWork, ToolMachining};
+use super::task::{CalibrationWork, MeasuringWork, ProbeWork, ScanWork, SkivingWork, ToolMachining};
 use job::tables::Program as DialectName;
 use machine::Positions;
 use motion::{AxisWords, track};
 use nc::{Block, Checked, Dialect, Program, RoundingBound, Written, write_checked};
 use run::RunFailure;
 use run::program_check::{dialect_of, ending_of};
+
+/// What two runs of the referee with nearly the same motion differ by, mm.
+const REFEREE: f64 = 1e-7;
 
 /// One program.
 #[derive(Clone, Debug)]
@@ -38,6 +48,10 @@ pub struct ToolProgram {
     pub recordings: Vec<Recording>,
     /// What is scanned by a stylus, in the order of the text.
     pub scanned: Vec<Scanned>,
+    /// Profiles of the workpiece that a probe scans, in the order of the text.
+    pub probed: Vec<ProbedProfile>,
+    /// Ways of a mandrel in the light barrier, in the order of the text.
+    pub mandrel_ways: Vec<MandrelWay>,
     /// What rounding of the numbers does at most.
     pub rounding: RoundingBound,
     /// What was proven.
@@ -89,6 +103,114 @@ pub fn scan_programs(
     machining.dialects.iter().map(made).collect()
 }
 
+/// Programs that drive a mandrel into the light barrier, one for each dialect.
+///
+/// # Errors
+/// As [`measuring_programs`]; a mandrel that does not meet the beam.
+pub fn calibration_programs(
+    work: &CalibrationWork<'_>,
+    machining: &ToolMachining<'_>,
+) -> Result<Vec<ToolProgram>, RunFailure> {
+    let made = |&name: &DialectName| {
+        let (laid, target) = laid_calibration(work, machining, dialect_of(name))?;
+        let heading = format!("{} CALIBRATING THE LIGHT BARRIER", plain(work.name));
+        let mut made = written(&laid.course, &target, machining, (work.name, "calibration", &heading))?;
+        made.rounding = bound(&made.program, &target, laid.lever)?;
+        let allowed = made.rounding.distance + OWN_ROUNDING;
+        let axes = &laid.course.stander.axes;
+        let followed =
+            follow(&made.read, (&machining.machine.machine, axes), &target.words, machining.output);
+        let judged = calibration_proof::judged(&laid, work, &followed, allowed)?;
+        if let Some(fault) = judged.faults.first() {
+            return Err(not_proven(fault.text.clone()));
+        }
+        made.proof = Proof {
+            difference: judged.difference,
+            axis_distance: judged.axis_distance,
+            ..Proof::new(allowed)
+        };
+        made.mandrel_ways = laid.ways;
+        Ok(made)
+    };
+    machining.dialects.iter().map(made).collect()
+}
+
+/// Programs that scan the machined workpiece with a probe, one for each dialect.
+///
+/// # Errors
+/// As [`measuring_programs`]; a ball that does not fit into the tooth space.
+pub fn probe_programs(
+    work: &ProbeWork<'_>,
+    machining: &ToolMachining<'_>,
+) -> Result<Vec<ToolProgram>, RunFailure> {
+    let made = |&name: &DialectName| {
+        let (laid, target) = laid_probe(work, machining, dialect_of(name))?;
+        let heading = format!("{} MEASURING THE WORKPIECE", plain(work.name));
+        let mut made = written(&laid.course, &target, machining, (work.name, "workpiece", &heading))?;
+        made.rounding = bound(&made.program, &target, laid.lever)?;
+        let allowed = made.rounding.distance + OWN_ROUNDING;
+        let axes = &laid.course.stander.axes;
+        let followed =
+            follow(&made.read, (&machining.machine.machine, axes), &target.words, machining.output);
+        let (judged, between) = probe_proof::judged(&laid, work, &followed, allowed)?;
+        if let Some(fault) = judged.faults.first() {
+            return Err(not_proven(fault.text.clone()));
+        }
+        made.proof = Proof {
+            difference: judged.difference,
+            axis_distance: judged.axis_distance,
+            between_places: Some(between),
+            ..Proof::new(4.0 * allowed)
+        };
+        made.probed = laid.profiles;
+        Ok(made)
+    };
+    machining.dialects.iter().map(made).collect()
+}
+
+/// Programs of a finishing stroke, one for each dialect.
+///
+/// # Errors
+/// As [`measuring_programs`]; a flank from the text that is not the planned one.
+pub fn skiving_programs(
+    work: &SkivingWork<'_>,
+    machining: &ToolMachining<'_>,
+) -> Result<Vec<ToolProgram>, RunFailure> {
+    let made = |&name: &DialectName| {
+        let (laid, target) = laid_skiving(work, machining, dialect_of(name))?;
+        let heading = format!("{} SKIVING STROKE", plain(work.name));
+        let mut made = written(&laid.course, &target, machining, (work.name, "skiving", &heading))?;
+        made.rounding = bound(&made.program, &target, laid.lever)?;
+        let allowed = made.rounding.distance + OWN_ROUNDING;
+        let axes = &laid.course.stander.axes;
+        let followed =
+            follow(&made.read, (&machining.machine.machine, axes), &target.words, machining.output);
+        let stroke = skive_proof::judged(&laid, work, &followed, allowed)?;
+        if let Some(fault) = stroke.judged.faults.first() {
+            return Err(not_proven(fault.text.clone()));
+        }
+        let flank = stroke.flank_difference(work)?;
+        // Tooth by tooth the flank follows the axes about one to one.
+        let explained = 2.0 * (stroke.between + 4.0 * allowed) + REFEREE;
+        if let Some(difference) = flank.filter(|difference| difference.is_nan() || *difference > explained) {
+            return Err(not_proven(format!(
+                "the flank that the text leaves differs by {:.6} um from the planned one; straight blocks and digits explain {:.6} um",
+                1e3 * difference,
+                1e3 * explained
+            )));
+        }
+        made.proof = Proof {
+            difference: stroke.judged.difference,
+            axis_distance: stroke.judged.axis_distance,
+            between_places: Some(stroke.between),
+            flank,
+            ..Proof::new(4.0 * allowed)
+        };
+        Ok(made)
+    };
+    machining.dialects.iter().map(made).collect()
+}
+
 /// Proves any text against a measurement.
 ///
 /// # Errors
@@ -129,6 +251,41 @@ pub(super) fn laid_measuring<'a>(
     machining.check()?;
     work.check()?;
     let laid = measuring_course(work, machining, dialect.stands_to_switch())?;
+    let target = Target::new(machining, dialect, &laid.course)?;
+    Ok((laid, target))
+}
+
+pub(super) fn laid_calibration<'a>(
+    work: &CalibrationWork<'_>,
+    machining: &ToolMachining<'a>,
+    dialect: Dialect,
+) -> Result<(CalibrationCourse<'a>, Target<'a>), RunFailure> {
+    machining.check()?;
+    work.check()?;
+    let laid = calibration_course(work, machining)?;
+    let target = Target::new(machining, dialect, &laid.course)?;
+    Ok((laid, target))
+}
+
+pub(super) fn laid_probe<'a>(
+    work: &ProbeWork<'_>,
+    machining: &ToolMachining<'a>,
+    dialect: Dialect,
+) -> Result<(ProbeCourse<'a>, Target<'a>), RunFailure> {
+    machining.check()?;
+    work.check()?;
+    let laid = probe_course(work, machining)?;
+    let target = Target::new(machining, dialect, &laid.course)?;
+    Ok((laid, target))
+}
+
+pub(super) fn laid_skiving<'a>(
+    work: &SkivingWork<'_>,
+    machining: &ToolMachining<'a>,
+    dialect: Dialect,
+) -> Result<(SkivingCourse<'a>, Target<'a>), RunFailure> {
+    machining.check()?;
+    let laid = skiving_course(work, machining)?;
     let target = Target::new(machining, dialect, &laid.course)?;
     Ok((laid, target))
 }
@@ -198,6 +355,8 @@ fn written(
         read: read.blocks,
         recordings: Vec::new(),
         scanned: Vec::new(),
+        mandrel_ways: Vec::new(),
+        probed: Vec::new(),
         rounding: RoundingBound { distance: 0.0, block: 0, places: 0.0, angles: 0.0 },
         proof: Proof::new(0.0),
         nc_sign: machine.axes()[turning].nc_sign,

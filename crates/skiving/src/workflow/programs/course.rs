@@ -48,14 +48,28 @@ impl<'m> Course<'m> {
         edges: &Sides<&VirtualEdge>,
         beam: &Beam,
     ) -> Result<Self, RunFailure> {
+        Self::in_room(machining, Room::new(machining.retreat.direction, edges, beam)?)
+    }
+
+    /// An empty course in a room.
+    ///
+    /// # Errors
+    /// A machine whose tool limb has no spindle.
+    pub fn in_room(machining: &ToolMachining<'m>, room: Room) -> Result<Self, RunFailure> {
         Ok(Self {
             stander: Stander::new(machining)?,
             retreat: machining.retreat,
             steps: Vec::new(),
             at: None,
             back: None,
-            room: Room::new(machining.retreat.direction, edges, beam)?,
+            room,
         })
+    }
+
+    /// Goes by rapid.
+    pub fn rapid(&mut self, to: Positions) {
+        self.steps.push(Step::Rapid(to));
+        self.at = Some(to);
     }
 
     pub fn comment(&mut self, text: &str) {
@@ -93,10 +107,53 @@ impl<'m> Course<'m> {
             (back[turning], into[turning]) = (now[turning], now[turning]);
         }
         self.room.free(&self.stander, [self.back.as_ref().unwrap_or(&back), &back], place)?;
+        if self.back.is_none() {
+            self.bring(&back, place)?;
+        }
         self.steps.push(Step::Rapid(back));
         self.back = Some(back);
         self.straight(into, self.retreat.distance / self.retreat.speed);
         Ok(stand)
+    }
+
+    /// Brings the light barrier and the tool together: the tool to where it is drawn back, and only then the carrier out of its parking
+    /// place.
+    ///
+    /// # Errors
+    /// A beam that is not free on the way of the carrier.
+    pub fn bring(&mut self, back: &Positions, place: &str) -> Result<(), RunFailure> {
+        let Some(carrier) = self.stander.carrier().copied() else { return Ok(()) };
+        let mut parked = *back;
+        parked[carrier.axis] = carrier.parked;
+        self.room.free(&self.stander, [&parked, back], place)?;
+        self.comment("carrier to its measuring place");
+        self.steps.push(Step::Rapid(parked));
+        Ok(())
+    }
+
+    /// How near the beam comes to the tool's axis while the carrier brings it, with the other axes here, mm.
+    ///
+    /// # Errors
+    /// Positions that are not finite.
+    pub fn nearest_of_carrier(&self, at: &Positions) -> Result<f64, RunFailure> {
+        let Some(carrier) = self.stander.carrier() else { return Ok(f64::INFINITY) };
+        let mut parked = *at;
+        parked[carrier.axis] = carrier.parked;
+        self.room.nearest(&self.stander, [&parked, at])
+    }
+
+    /// Parks the carrier again, with the tool drawn back.
+    ///
+    /// # Errors
+    /// A beam that is not free on the way.
+    pub fn park(&mut self) -> Result<(), RunFailure> {
+        let (Some(carrier), Some(at)) = (self.stander.carrier().copied(), self.at) else { return Ok(()) };
+        let mut parked = at;
+        parked[carrier.axis] = carrier.parked;
+        self.room.free(&self.stander, [&at, &parked], "the way of the carrier")?;
+        self.comment("carrier to its parking place");
+        self.rapid(parked);
+        Ok(())
     }
 
     /// Draws the tool back from a pose as it stands.
@@ -119,7 +176,12 @@ impl<'m> Course<'m> {
     fn slid(&self, stand: &Positions, found: &Positions) -> Positions {
         let machine = self.stander.machine;
         let mut at = *stand;
-        let linear = machine.tool().axes.iter().filter(|&&axis| machine.axes()[axis].joint == Joint::Linear);
+        let held = self.stander.carrier().map(|carrier| carrier.axis);
+        let linear = self
+            .stander
+            .axes
+            .iter()
+            .filter(|&&axis| machine.axes()[axis].joint == Joint::Linear && Some(axis) != held);
         linear.for_each(|&axis| at[axis] = found[axis]);
         at
     }
@@ -182,7 +244,7 @@ impl<'m> Course<'m> {
 
     /// A finding on an axis that no word of the control moves.
     pub fn moved(&self, words: &AxisWords) -> Result<(), RunFailure> {
-        match self.stander.machine.tool().axes.iter().find(|&&axis| !words.is_moved(axis)) {
+        match self.stander.axes.iter().find(|&&axis| !words.is_moved(axis)) {
             None => Ok(()),
             Some(&axis) => {
                 let name = &self.stander.machine.axes()[axis].name;

@@ -77,6 +77,7 @@ pub(super) fn measuring_course<'m>(
             laid.course.draw_back(pose, &place)?;
         }
     }
+    laid.course.park()?;
     Ok(laid)
 }
 

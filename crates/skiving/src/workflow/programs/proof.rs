@@ -22,8 +22,10 @@ pub struct Proof {
     pub axis_distance: f64,
     /// What rounding of the text explains of both.
     pub allowed: f64,
-    /// Of a scan: what straight blocks leave between its places, greatest gap.
+    /// Of a scan: what straight blocks leave between its places, greatest gap; of a stroke: beside its law.
     pub between_places: Option<f64>,
+    /// Of a stroke: greatest difference between the flank of the text under the referee and the planned one.
+    pub flank: Option<f64>,
 }
 
 /// Error of the proof's own numbers: mm at places of some 1000 mm, and rad.
@@ -33,7 +35,7 @@ pub(super) const SPEED: f64 = 1e-6;
 
 impl Proof {
     pub(super) fn new(allowed: f64) -> Self {
-        Self { difference: 0.0, axis_distance: 0.0, allowed, between_places: None }
+        Self { difference: 0.0, axis_distance: 0.0, allowed, between_places: None, flank: None }
     }
 
     /// Takes a place in and says whether it is explained.
@@ -154,7 +156,7 @@ fn turns(
         }
     }
     for part in moves {
-        let limb = &stander.machine.tool().axes;
+        let limb = &stander.axes;
         if limb.iter().any(|&axis| axis != turning && part.to[axis] != first.from[axis]) {
             return Err("another axis than the spindle moves while the output is on".into());
         }

@@ -1,7 +1,7 @@
 //! Measuring programs in a `result.json`.
 
-use super::{Recording, Scanned, ToolProgram};
-use crate::measuring::Sense;
+use super::{MandrelWay, Recording, Scanned, ToolProgram};
+use crate::measuring::{Approach, Sense};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -22,6 +22,12 @@ pub struct ToolProgramResult {
     /// What is scanned by a stylus, in the order of the program.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub scans: Vec<ScanResult>,
+    /// Ways of a mandrel in the light barrier, in the order of the program.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub mandrel_ways: Vec<MandrelWayResult>,
+    /// Profiles of the workpiece that a probe scans, in the order of the program.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub profiles: Vec<ProbedProfileResult>,
     /// What rounding of the numbers does at most.
     pub rounding_um: f64,
     /// Greatest difference of where the ideal tool touches from its nominal place, with the axes as the text says.
@@ -30,9 +36,12 @@ pub struct ToolProgramResult {
     pub proof_axis_distance_um: f64,
     /// What rounding explains of both.
     pub proof_allowed_um: f64,
-    /// Of a scan: what straight blocks leave between its places.
+    /// Of a scan: what straight blocks leave between its places; of a stroke: beside its law.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub between_places_um: Option<f64>,
+    /// Of a stroke: greatest difference between the flank of the text under the referee and the planned one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flank_difference_um: Option<f64>,
 }
 
 /// One stretch that is recorded. Angles are those of the tool spindle as the control counts them.
@@ -50,6 +59,33 @@ pub struct RecordingResult {
     pub from_deg: f64,
     /// Where they end, one pitch beyond the whole turns.
     pub to_deg: f64,
+}
+
+/// A way of a mandrel on which the recorder takes down where the axes stand when the beam switches. Places: X and Y of its axis, Z of its
+/// lower face.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct MandrelWayResult {
+    /// Axis along which it moves.
+    pub along: &'static str,
+    /// Turn of the spindle.
+    pub spindle_deg: f64,
+    /// Where it begins.
+    pub from_mm: [f64; 3],
+    /// Where it ends.
+    pub to_mm: [f64; 3],
+    /// Where the given beam switches.
+    pub switches_mm: Vec<[f64; 3]>,
+}
+
+/// A profile of the workpiece that a probe scans.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ProbedProfileResult {
+    /// Flank.
+    pub flank: &'static str,
+    /// Tooth space, from 0.
+    pub gap: usize,
+    /// Places of the scan.
+    pub places: usize,
 }
 
 /// One edge that is scanned.
@@ -90,11 +126,35 @@ impl ToolProgram {
             duration_s: self.duration,
             recordings: self.recordings.iter().map(recording).collect(),
             scans: self.scanned.iter().map(scan).collect(),
+            mandrel_ways: self.mandrel_ways.iter().map(mandrel_way).collect(),
+            profiles: self
+                .probed
+                .iter()
+                .map(|of| ProbedProfileResult {
+                    flank: of.flank.name(),
+                    gap: of.gap,
+                    places: of.lengths.len(),
+                })
+                .collect(),
             rounding_um: self.rounding.distance * 1e3,
             proof_difference_um: self.proof.difference * 1e3,
             proof_axis_distance_um: self.proof.axis_distance * 1e3,
             proof_allowed_um: self.proof.allowed * 1e3,
             between_places_um: self.proof.between_places.map(|x| x * 1e3),
+            flank_difference_um: self.proof.flank.map(|x| x * 1e3),
         }
+    }
+}
+
+fn mandrel_way(of: &MandrelWay) -> MandrelWayResult {
+    MandrelWayResult {
+        along: match of.along {
+            Approach::X => "X",
+            Approach::Y => "Y",
+        },
+        spindle_deg: of.turn.to_degrees(),
+        from_mm: of.ends[0].into(),
+        to_mm: of.ends[1].into(),
+        switches_mm: of.switches.iter().map(|place| (*place).into()).collect(),
     }
 }

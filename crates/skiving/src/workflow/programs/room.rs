@@ -45,6 +45,11 @@ impl Room {
         Ok(Self { beam: *beam, wanted, clear: outside + module + beam.radius })
     }
 
+    /// The room of a body that leaves the beam free from a distance of its axis on, mm.
+    pub fn around(beam: &Beam, clear: f64) -> Self {
+        Self { beam: *beam, wanted: None, clear }
+    }
+
     /// The direction in which the tool is drawn back from a pose.
     pub fn direction(&self, pose: &MeasuringPose) -> Result<Vector3<f64>, RunFailure> {
         if let Some(direction) = self.wanted {
@@ -101,7 +106,7 @@ impl Room {
     pub fn nearest(&self, stander: &Stander<'_>, [from, to]: [&Positions; 2]) -> Result<f64, RunFailure> {
         let at_share = |share: f64| -> Result<f64, RunFailure> {
             let mut at = *from;
-            for &axis in &stander.machine.tool().axes {
+            for &axis in &stander.axes {
                 at[axis] += share * (to[axis] - from[axis]);
             }
             Ok(self.distance(&stander.tool(&at)?.position))

@@ -60,6 +60,7 @@ pub(super) fn scan_course<'m>(
             laid.scanned.push(Scanned { flank, tooth, places });
         }
     }
+    laid.course.park()?;
     Ok(laid)
 }
 
@@ -93,6 +94,6 @@ impl ScanCourse<'_> {
             let limit = machine.axes()[axis].limits.velocity.unwrap_or(f64::INFINITY);
             (to[axis] - from[axis]).abs() / limit
         };
-        machine.tool().axes.iter().map(of_axis).fold(0.0, f64::max)
+        self.course.stander.axes.iter().map(of_axis).fold(0.0, f64::max)
     }
 }

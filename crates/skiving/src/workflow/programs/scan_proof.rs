@@ -43,7 +43,7 @@ pub(super) fn prove_scans(
         }
         for (part, places) in moves.iter().zip(scanned.places.windows(2)) {
             let mut middle = part.from;
-            for &axis in &stander.machine.tool().axes {
+            for &axis in &stander.axes {
                 middle[axis] = 0.5 * (part.from[axis] + part.to[axis]);
             }
             let stands = stander.tool(&middle)?;

@@ -2,7 +2,7 @@
 //! the pose that positions mean. The two share no formula.
 
 use super::failure::of_machine;
-use super::task::ToolMachining;
+use super::task::{Carried, Carrier, ToolMachining};
 use crate::measuring::MeasuringPose;
 use foundation::kinematics::{Direction, Point, Pose, Worm};
 use machine::{Bed, Joint, Machine, MachineError, Mount, Positions, Station, ToolSpindle};
@@ -11,10 +11,13 @@ use run::RunFailure;
 use std::f64::consts::TAU;
 
 /// A machine with a tool in its spindle.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Stander<'m> {
     pub machine: &'m Machine,
-    mount: Mount,
+    /// Axes that a program moves: those of the tool, then what else it needs.
+    pub axes: Vec<usize>,
+    carrier: Option<Carrier>,
+    pub mount: Mount,
     /// The axis that turns the tool.
     pub turning: usize,
     /// Sense in which it turns the tool about the tool's own +z.
@@ -43,7 +46,21 @@ impl<'m> Stander<'m> {
         let machine = &machining.machine.machine;
         let (turning, sense) =
             machine.tool_turning().map_err(|error| of_machine(&error, "the tool spindle"))?;
-        Ok(Self { machine, mount: machining.mount, turning, sense: sense * machining.mount.sense() })
+        let mut axes = machine.tool().axes.clone();
+        axes.extend(machining.carrier.map(|carrier| carrier.axis).filter(|axis| !axes.contains(axis)));
+        Ok(Self {
+            machine,
+            axes,
+            carrier: machining.carrier,
+            mount: machining.mount,
+            turning,
+            sense: sense * machining.mount.sense(),
+        })
+    }
+
+    /// The carrier of the light barrier or of the tool, if one has to move.
+    pub fn carrier(&self) -> Option<&Carrier> {
+        self.carrier.as_ref()
     }
 
     /// Positions for a pose: of all solutions within the travels that nearest to where the axes stand, or to zero.
@@ -59,7 +76,17 @@ impl<'m> Stander<'m> {
         let orientation = Pose::<Bed, Bed>::rx(pose.swivel).then(&Pose::<Bed, Worm>::rz(pose.turn));
         let tool: Pose<Bed, Worm> = Pose::rigid(*orientation.rotation(), pose.position);
         let spindle = tool.then(&self.mount.pose::<ToolSpindle, Worm>().inverse());
-        let found = self.machine.tool_placed(&spindle).map_err(|error| of_machine(&error, place))?;
+        let found = match self.carrier {
+            Some(carrier) if carrier.carries == Carried::Tool => {
+                self.machine.tool_placed_on(&spindle, (carrier.axis, carrier.measuring))
+            }
+            Some(carrier) => self.machine.tool_placed(&spindle).map(|mut found| {
+                found.iter_mut().for_each(|at| at[carrier.axis] = carrier.measuring);
+                found
+            }),
+            None => self.machine.tool_placed(&spindle),
+        };
+        let found = found.map_err(|error| of_machine(&error, place))?;
         let near = near.copied().unwrap_or_default();
         let turned: Vec<Positions> = found.iter().flat_map(|at| self.turns(at, &near)).collect();
         let admitted = turned.iter().filter(|at| self.beyond(at).is_none());
@@ -77,9 +104,10 @@ impl<'m> Stander<'m> {
     /// The same place in the turns of its rotary axes: the nearest one of endless axes, all within reach of axes with ends.
     fn turns(&self, at: &Positions, near: &Positions) -> Vec<Positions> {
         let mut sets = vec![*at];
-        for &axis in &self.machine.tool().axes {
+        for &axis in &self.axes {
             let described = &self.machine.axes()[axis];
-            if described.joint == Joint::Linear {
+            let held = self.carrier.is_some_and(|carrier| carrier.axis == axis);
+            if described.joint == Joint::Linear || held {
                 continue;
             }
             let ends = described.travel.is_some();
@@ -105,7 +133,7 @@ impl<'m> Stander<'m> {
             let scale = if described.joint == Joint::Linear { 1.0 } else { LENGTH };
             Some((-described.margin(at[axis]) * scale, described.beyond(at[axis])?))
         };
-        self.machine.tool().axes.iter().filter_map(of_axis).max_by(|a, b| a.0.total_cmp(&b.0))
+        self.axes.iter().filter_map(of_axis).max_by(|a, b| a.0.total_cmp(&b.0))
     }
 
     fn apart(&self, a: &Positions, b: &Positions) -> f64 {
@@ -113,7 +141,7 @@ impl<'m> Stander<'m> {
             let scale = if self.machine.axes()[axis].joint == Joint::Linear { 1.0 } else { LENGTH };
             (a[axis] - b[axis]).abs() * scale
         };
-        self.machine.tool().axes.iter().map(of_axis).fold(0.0, f64::max)
+        self.axes.iter().map(of_axis).fold(0.0, f64::max)
     }
 
     /// What positions mean.
@@ -122,7 +150,18 @@ impl<'m> Stander<'m> {
     /// Positions that are not finite.
     pub fn tool(&self, at: &Positions) -> Result<ToolStands, RunFailure> {
         let spindle = self.machine.tool_spindle(at).map_err(|error| of_machine(&error, "read back"))?;
-        let tool: Pose<Bed, Worm> = spindle.then(&self.mount.pose());
+        // Beside a barrier that is carried, as it sees the tool: with the carrier in the place in which it measures.
+        let seen: Pose<Bed, ToolSpindle> = match self.carrier {
+            Some(carrier) if carrier.carries == Carried::Barrier => {
+                let (_, carriers) = self.machine.carriers(carrier.axis).unwrap_or_default();
+                let mut measuring = *at;
+                measuring[carrier.axis] = carrier.measuring;
+                let here = self.machine.carried(&carriers, at);
+                self.machine.carried(&carriers, &measuring).then(&here.inverse()).then(&spindle)
+            }
+            _ => spindle,
+        };
+        let tool: Pose<Bed, Worm> = seen.then(&self.mount.pose());
         let r = tool.rotation();
         Ok(ToolStands {
             position: *tool.translation(),
@@ -148,14 +187,7 @@ impl<'m> Stander<'m> {
             }
         }
         let rotary = |axis: &&usize| self.machine.axes()[**axis].joint == Joint::Rotary;
-        Ok(self
-            .machine
-            .tool()
-            .axes
-            .iter()
-            .filter(rotary)
-            .map(|&axis| squares[axis].sqrt())
-            .fold(0.0, f64::max))
+        Ok(self.axes.iter().filter(rotary).map(|&axis| squares[axis].sqrt()).fold(0.0, f64::max))
     }
 }
 

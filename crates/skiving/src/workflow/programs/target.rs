@@ -32,7 +32,7 @@ impl<'a> Target<'a> {
     ) -> Result<Self, RunFailure> {
         let name = name_of(dialect);
         let control = control_of(machining.machine, name)?;
-        let axes = &machining.machine.machine.tool().axes;
+        let axes = &course.stander.axes;
         let words = words_for(machining.machine, Some(control), axes).map_err(|error| of_motion(&error))?;
         course.moved(&words)?;
         let mut options = WriteOptions {

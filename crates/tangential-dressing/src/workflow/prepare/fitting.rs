@@ -43,7 +43,7 @@ pub enum Choice {
     Given(Vec<Variable>),
     /// The plan takes few that meet the tolerance.
     Chosen {
-        /// Channels that the machine lacks.
+        /// Channels that the machine lacks, and the profile of a dresser that exists.
         excluded: Vec<Channel>,
         /// Most variables.
         most: usize,
@@ -64,7 +64,11 @@ impl FitRules {
             }
             None => {
                 let of = |(i, &c): (usize, _)| channel_of(c, &format!("dressing.exclude[{i}]"));
-                let excluded = dressing.exclude.iter().enumerate().map(of).collect::<Result<_, _>>()?;
+                let mut excluded =
+                    dressing.exclude.iter().enumerate().map(of).collect::<Result<Vec<_>, _>>()?;
+                if job.dresser.exists() {
+                    excluded.push(Channel::Profile(None));
+                }
                 Choice::Chosen { excluded, most: dressing.most_variables }
             }
         };

@@ -42,6 +42,8 @@ pub struct TangentialPrepared {
     pub worm_width: Option<f64>,
     /// Tip diameter of the dresser, mm.
     pub dresser_tip_diameter: f64,
+    /// Whether the dresser exists, so that its profile is no variable.
+    pub dresser_exists: bool,
     /// The entries of the target as the drawing states them.
     pub drawn: Drawn,
     /// What is wanted of the flanks that are ground.
@@ -76,7 +78,7 @@ pub struct TangentialPrepared {
 /// [`RunFailure`] with a finding on the key concerned.
 pub fn prepare_tangential(loaded: &LoadedTangentialJob) -> Result<TangentialPrepared, RunFailure> {
     let job = &loaded.job;
-    let Bodies { model, blank, worm_tip_radius } = Bodies::of_job(job)?;
+    let Bodies { model, blank, worm_tip_radius } = Bodies::of_job(loaded)?;
     let drawn = Drawn::of(&job.target);
     let ground: Vec<Flank> = Flank::BOTH.into_iter().filter(|&f| job.grinding.flanks.includes(f)).collect();
     let wanted = Sides::try_from_fn(|flank| {
@@ -98,6 +100,7 @@ pub fn prepare_tangential(loaded: &LoadedTangentialJob) -> Result<TangentialPrep
         worm_tip_radius,
         worm_width: job.worm.width,
         dresser_tip_diameter: job.dresser.tip_diameter,
+        dresser_exists: job.dresser.exists(),
         drawn,
         wanted,
         tolerance_um: job.target.tolerance_um,

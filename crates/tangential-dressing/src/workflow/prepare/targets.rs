@@ -69,9 +69,20 @@ pub(super) fn wanted_flank(
         }
         Drawn::Modifications(specs) => specs,
     };
-    let f = model.pair.work.flank(flank);
-    let field =
-        EvaluationField::new(model.rolls(flank), model.input().faces, f.base_radius, f.base_helix_angle)
-            .map_err(|e| run::modification_finding(&e, "target.modifications"))?;
+    let field = evaluation_field(model, flank, "target.modifications")?;
     specs_of_flank(loaded, specs, flank, &field).map(|m| WantedFlank::Modifications(Box::new(m)))
+}
+
+/// The evaluated range of a flank, over which modifications are stated; `key` is where they stand.
+///
+/// # Errors
+/// A finding on that key.
+pub(super) fn evaluation_field(
+    model: &TangentialModel,
+    flank: Flank,
+    key: &str,
+) -> Result<EvaluationField, Diagnostic> {
+    let f = model.pair.work.flank(flank);
+    EvaluationField::new(model.rolls(flank), model.input().faces, f.base_radius, f.base_helix_angle)
+        .map_err(|e| run::modification_finding(&e, key))
 }

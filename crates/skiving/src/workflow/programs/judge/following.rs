@@ -60,10 +60,10 @@ impl Followed {
     }
 }
 
-/// Follows the blocks of a text; `output` is the number of the output that records.
+/// Follows the blocks of a text, in which the places of `axes` have to be known; `output` is the number of the output that records.
 pub(in super::super) fn follow(
     blocks: &[Block],
-    machine: &Machine,
+    (machine, axes): (&Machine, &[usize]),
     words: &AxisWords,
     output: u8,
 ) -> Followed {
@@ -73,7 +73,7 @@ pub(in super::super) fn follow(
     let mut on: Option<(usize, usize)> = None;
     for (k, block) in blocks.iter().enumerate() {
         let number = k + 1;
-        let all_known = |known: &[bool]| machine.tool().axes.iter().all(|&axis| known[axis]);
+        let all_known = |known: &[bool]| axes.iter().all(|&axis| known[axis]);
         let mut refused = |reason: &str| {
             followed.faults.push(fault("block-unexpected", number, reason, CORRECT));
         };

@@ -8,7 +8,7 @@ use verdict::Remark;
 const ROUNDING: f64 = 1e-6;
 
 /// The first block of every axis beyond its travel and beyond its speed.
-pub(super) fn limits(followed: &Followed, machine: &Machine) -> Vec<Remark> {
+pub(in super::super) fn limits(followed: &Followed, machine: &Machine) -> Vec<Remark> {
     let mut faults = Vec::new();
     for (number, axis) in machine.axes().iter().enumerate() {
         let beyond = followed.motions.iter().find_map(|m| Some((m.block, axis.beyond(m.to[number])?)));

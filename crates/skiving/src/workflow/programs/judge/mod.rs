@@ -7,7 +7,8 @@ mod recordings;
 mod scans;
 mod ways;
 
-pub(super) use following::{Followed, follow};
+pub(super) use following::{Followed, Motion, follow};
+pub(super) use limits::limits;
 pub(super) use recordings::recordings;
 pub(super) use scans::scans;
 pub(super) use ways::{Between, ways};
@@ -30,7 +31,7 @@ pub(super) struct Judged {
 
 impl Judged {
     /// Takes in how far a place is off; gives it in words if `allowed` does not explain it.
-    fn off(&mut self, [difference, axis]: [f64; 2], allowed: f64) -> Option<String> {
+    pub(super) fn off(&mut self, [difference, axis]: [f64; 2], allowed: f64) -> Option<String> {
         let difference = difference.abs();
         self.difference = self.difference.max(difference);
         self.axis_distance = self.axis_distance.max(axis);
@@ -55,12 +56,12 @@ pub(super) fn beside(
     between: &Between<'_>,
 ) -> Result<Vec<Remark>, run::RunFailure> {
     let mut faults = followed.faults.clone();
-    faults.extend(limits::limits(followed, stander.machine));
+    faults.extend(limits(followed, stander.machine));
     faults.extend(ways(followed, stander, between)?);
     Ok(faults)
 }
 
 /// A fault with its block in front.
-fn fault(code: &'static str, block: usize, text: &str, way_out: &'static str) -> Remark {
+pub(super) fn fault(code: &'static str, block: usize, text: &str, way_out: &'static str) -> Remark {
     Remark::new(code, format!("block {block}: {text}"), way_out)
 }

@@ -140,7 +140,7 @@ impl Held<'_> {
         let stander = &self.laid.course.stander;
         let turning = stander.turning;
         let (Some(from), Some(seconds)) = (motion.from, motion.seconds) else { return false };
-        let mut limb = stander.machine.tool().axes.iter();
+        let mut limb = stander.axes.iter();
         if limb.any(|&axis| axis != turning && (motion.to[axis] - from[axis]).abs() > STANDS) {
             return false;
         }

@@ -88,7 +88,7 @@ pub(in super::super) fn ways(
 
 /// Way of the linear axes, mm.
 fn linear_way(stander: &Stander<'_>, from: &Positions, to: &Positions) -> f64 {
-    let axes = stander.machine.tool().axes.iter();
+    let axes = stander.axes.iter();
     let linear = axes.filter(|&&axis| stander.machine.axes()[axis].joint == Joint::Linear);
     linear.map(|&axis| (to[axis] - from[axis]).powi(2)).sum::<f64>().sqrt()
 }
@@ -101,7 +101,7 @@ fn is_straight(
     between: &Between<'_>,
 ) -> Result<bool, RunFailure> {
     let machine = stander.machine;
-    let turns = machine.tool().axes.iter().any(|&axis| {
+    let turns = stander.axes.iter().any(|&axis| {
         machine.axes()[axis].joint == Joint::Rotary && (motion.to[axis] - from[axis]).abs() > DIGITS * DIGITS
     });
     let ends = [stander.tool(from)?, stander.tool(&motion.to)?];
