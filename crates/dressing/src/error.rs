@@ -138,6 +138,20 @@ pub enum DressingError {
         /// P at both ends.
         stretch: [f64; 2],
     },
+    /// No cone angle near fits the dresser to both flanks without stretch.
+    #[error(
+        "no cone angle fits the dresser to both flanks without stretch: at {cone:.3} deg P is {:.5} and {:.5}", stretch[0], stretch[1]
+    )]
+    #[finding(code = "no-zero")]
+    #[way_out(
+        "take a worm whose diameter is nearer to the one the dresser was designed for, or dress each flank by a dresser of its own"
+    )]
+    NoConeWithoutStretch {
+        /// Cone angle where the search ended, degrees.
+        cone: f64,
+        /// P of the left and the right flank there.
+        stretch: [f64; 2],
+    },
     /// The dresser's profiles do not have its outside radius.
     #[error(
         "the dresser's {flank} profile has no circle of the tip radius {radius:.4} mm; it reaches from {from:.4} to {to:.4} mm"

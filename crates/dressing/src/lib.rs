@@ -42,7 +42,7 @@ pub use forward::{DressedProfile, ProfilePoint, head_gradient};
 pub use limits::{Clearance, DresserSection, SectionOutline, SectionPart, ShownWorm, ThreadSpace, WormFlank};
 pub use line_dressing::{DressingLine, LineDressing, LinePlan, RelativeForm, TipDisc, Touch};
 pub use nominal::{NominalContact, nominal_contact};
-pub use other_worms::{StretchAngle, WormSeat, angle_of_least_stretch};
+pub use other_worms::{StretchAngle, StretchCone, WormSeat, angle_of_least_stretch, cone_without_stretch};
 pub use placement::{DresserAxes, RoomContact, WormScrew, touch};
 pub use strokes::{
     ActiveArea, DressedStroke, MovingSection, MovingStroke, MultiStroke, ProfileSection, Stroke, StrokeAlong,

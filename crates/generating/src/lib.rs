@@ -38,6 +38,7 @@ mod quadratic;
 pub mod ratio;
 mod ratio_nodes;
 pub mod setup;
+pub mod spared_worms;
 pub mod stroke_layout;
 mod stroke_place;
 pub mod stroked;
@@ -88,6 +89,7 @@ pub use ratio::{
     Candidate, FlankResidual, LEAST_DETERMINANT, NoPlan, RatioChoice, RatioReason, lead_correction_ratio,
 };
 pub use setup::{DresserChoice, DressingLimits, GrindingSetup, ProfilePlace, SetupInput, Tool};
+pub use spared_worms::{SparedWorms, Undermined};
 pub use stroke_layout::{AreaOfDresser, DressedSection, GivenDresser, StrokeChoice};
 pub use stroke_place::{StrokeLayout, StrokePlace};
 pub use stroked::StrokedFlank;

@@ -18,7 +18,7 @@ use proptest::prelude::*;
 use serde_json::json;
 
 /// The gear of the twist-free crowning example with its worm and dresser.
-fn input() -> SetupInput {
+pub fn input() -> SetupInput {
     let gear = Gear::new(GearData {
         teeth: 19,
         normal_module: 3.5,

@@ -8,4 +8,5 @@ mod fit_shift;
 mod generating;
 mod least_squares;
 mod line_dressing;
+mod spared_worms;
 mod variable_ratio;

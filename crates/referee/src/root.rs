@@ -49,6 +49,8 @@ const WIDE: f64 = 0.8;
 const STEPS: usize = 64;
 /// Nodes of the path of the balls.
 const PATH_NODES: usize = 17;
+/// Feeds at which the slope of the shift is looked at.
+const SLOPES: usize = 9;
 /// The search for the shortest ray has settled at a step of this size, rad and mm.
 const SETTLED: f64 = 1e-10;
 const MOST_STEPS: usize = 60;
@@ -106,8 +108,14 @@ impl RootGrinding<'_> {
         let feed_0 = -ray.foot.z;
         let place = -motion.shift.value(feed_0);
         let reach = self.along + 2.0 * self.corner_radius;
-        let mut angles = Vec::with_capacity(PATH_NODES);
-        for z in Chebyshev::nodes(place - 2.0 * reach, place + 2.0 * reach, PATH_NODES) {
+        // The places of the edge that come to the ray at other feeds lie further along a worm that shifts.
+        let steepest =
+            equidistant(self.feeds, SLOPES).into_iter().map(|feed| motion.shift.lifted(feed)[1].abs());
+        let wider = 1.0 + steepest.fold(0.0, f64::max);
+        let [from, to] = [place - 2.0 * reach * wider, place + 2.0 * reach * wider];
+        let nodes = (PATH_NODES as f64 * wider).ceil() as usize;
+        let mut angles = Vec::with_capacity(nodes);
+        for z in Chebyshev::nodes(from, to, nodes) {
             let Some(angle) = self.angle(z) else {
                 return Err(RemovalError::InvalidNumber {
                     field: "radius of the worm's edge",
@@ -119,13 +127,13 @@ impl RootGrinding<'_> {
             let pitch = 2.0 * PI / self.worm.teeth;
             let before = angles.last().copied().unwrap_or(angle);
             let drift = match angles.len() {
-                0 | 1 => -(reach * 4.0 / PATH_NODES as f64) * self.worm.twist_per_length(),
+                0 | 1 => -((to - from) / nodes as f64) * self.worm.twist_per_length(),
                 n => angles[n - 1] - angles[n - 2],
             };
             let expected = if angles.is_empty() { angle } else { before + drift };
             angles.push(angle + ((expected - angle) / pitch).round() * pitch);
         }
-        let path = Chebyshev::interpolate(place - 2.0 * reach, place + 2.0 * reach, &angles);
+        let path = Chebyshev::interpolate(from, to, &angles);
         let facing = path.value(place);
         // The space in which the ray stands.
         let pitch = 2.0 * PI / motion.teeth.abs();
@@ -228,7 +236,7 @@ impl RootGrinding<'_> {
         best
     }
 
-    /// Length to which a ball of this radius shortens the ray.
+    /// Length to which a ball of this radius shortens the ray; `None` also beyond the known part of the edge.
     fn shortened<T: Scalar>(
         &self,
         x: [T; 3],
@@ -236,6 +244,10 @@ impl RootGrinding<'_> {
         foot: &Vector3<f64>,
         direction: &Vector3<f64>,
     ) -> Option<T> {
+        let (from, to) = path.interval();
+        if !(from..=to).contains(&x[2].re()) {
+            return None;
+        }
         let centre = self.ball(x, path);
         let off = Vector3::new(centre.x - foot.x, centre.y - foot.y, centre.z - foot.z);
         let along = off.x * direction.x + off.y * direction.y + off.z * direction.z;

@@ -108,6 +108,7 @@ const STUDIES: &[(&str, i32)] = &[
     ("dressing/figure-12.toml", 0),
     ("dressing/figure-19a-c.toml", 0),
     ("dressing/figure-19b.toml", 0),
+    ("dressing/asymmetric-worm-life.toml", 0),
     ("dressing/figure-20a.toml", 0),
     ("dressing/figure-20b.toml", 0),
     ("tangential/explore.toml", 0),

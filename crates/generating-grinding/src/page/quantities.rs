@@ -62,6 +62,15 @@ pub(super) fn tool_quantities(outcome: &Outcome) -> (Vec<Quantity>, Vec<Quantity
         Quantity::number("worm length used", "", outcome.result.settings.worm_length_mm, "mm"),
     ];
     of_worm.extend(setup.input.worm_width.map(|w| Quantity::number("worm width", "", w, "mm")));
+    of_worm.extend(outcome.result.spared_worms.as_ref().map(|spared| {
+        let down_to = spared.spared_down_to_mm;
+        Quantity::number(
+            "smaller worms left whole by this dressing, down to tip diameter",
+            "d_aS",
+            down_to,
+            "mm",
+        )
+    }));
     let dressing = &outcome.prepared.dressing;
     if let Some(point) = &dressing.point {
         return (of_worm, point_dresser_quantities(outcome, point));

@@ -36,6 +36,7 @@ mod roughing;
 pub mod roughing_pass;
 pub mod run;
 pub mod scene;
+pub mod spared_worms;
 pub mod stroke_plan;
 mod summary;
 pub mod tables;
@@ -83,6 +84,7 @@ pub use result::{
     SettingsResult,
 };
 pub use run::{Outcome, plan_job, simulate_job};
+pub use spared_worms::{SparedWormsResult, UnderminedResult};
 pub use stroke_plan::StrokePlan;
 pub use summary::{JobOutcome, controlled, proven};
 pub use worm_life::{

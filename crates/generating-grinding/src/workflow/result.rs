@@ -7,6 +7,7 @@ use super::line_dressing::LineDressingResult;
 use super::measured_worm::MeasuredWormResult;
 use super::partition::Partition;
 use super::removal::RemovalResult;
+use super::spared_worms::SparedWormsResult;
 use super::stroke_plan::StrokePlan;
 use super::wanted_worm::WormFlankResult;
 use crate::job::Settings;
@@ -305,6 +306,9 @@ pub struct JobResult {
     /// What a measured worm says of the dressing axes; absent without `[measured_worm]`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured_worm: Option<MeasuredWormResult>,
+    /// Smaller worms that today's dressing leaves whole; absent where no single dresser works on a cylindrical worm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub spared_worms: Option<SparedWormsResult>,
     /// The root of the gear; absent unless the worm's tip grinds it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gear_root: Option<GearRootResult>,

@@ -20,6 +20,7 @@ use super::refusal::{of_planning, of_simulation};
 use super::removal::{RunCycle, judge_stock, put_on_stock, removal_of_run};
 use super::result::{CandidateResult, FlankResult, JobResult, LeastDeviationResult, SettingsResult};
 use super::roughing::{Roughed, judge_roughing, roughed_flanks};
+use super::spared_worms::spared_worms;
 use super::tip_edge::{judge_tip_edge, tip_edge_depths};
 use super::tip_land::TipLands;
 use super::wanted_worm::{gear_missed, judge_worm, worm_flanks};
@@ -173,6 +174,7 @@ fn finish(
     let stroked_in = stroking.elapsed().as_secs_f64();
     let cycle = &prepared.cycle;
     let tip_lands = TipLands::of_execution(&prepared, &execution, plan.is_some())?;
+    let (spared_worms, worm_cut) = spared_worms(&prepared, &execution);
     let dressing_lines = Instant::now();
     let written = line_dressing(&prepared, &execution, progress)?;
     if written.iter().any(|(_, w)| w.is_some()) {
@@ -229,6 +231,7 @@ fn finish(
     let mut warnings = prepared.warnings.clone();
     warnings.extend(execution.warnings.iter().cloned());
     warnings.extend(tip_lands.warnings.iter().cloned());
+    warnings.extend(worm_cut);
     warnings.extend(output_warnings(&prepared.output, prepared.names_machine));
     warnings.extend(programs.iter().flat_map(|programs| programs.warnings.iter().cloned()));
     let tolerance = prepared.tolerance.tightest() * 1e3;
@@ -351,6 +354,7 @@ fn finish(
         changes: Vec::new(),
         deviated,
         measured_worm,
+        spared_worms,
         gear_root,
         control,
         drawing: prepared.measures.result(&prepared.setup.input.gear),

@@ -3,6 +3,7 @@
 use crate::job::{Compare, Job, LoadedJob};
 use crate::workflow::explore::Refused;
 use crate::workflow::prepare::setup_of_job;
+use foundation::geometry::Sides;
 use generating::GrindingSetup;
 use job::tables::OneOrSides;
 
@@ -14,13 +15,19 @@ pub struct Bodies {
     pub setup: Result<GrindingSetup, Refused>,
 }
 
+/// Width of a conical worm without a stated one, mm.
+const NARROW: f64 = 1.0;
+
 /// A quantity that is changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Change {
     Threads(u32),
     WormPitchDiameter(f64),
     DresserTipDiameter(f64),
+    /// Of the left flank, degrees; the right one has the angle that meshes beside it.
     PressureAngle(f64),
+    /// Degrees.
+    ConeAngle(f64),
 }
 
 impl Change {
@@ -43,6 +50,7 @@ impl Change {
             Self::WormPitchDiameter(d) => format!("d_S = {d} mm"),
             Self::DresserTipDiameter(d) => format!("d_aA = {d} mm"),
             Self::PressureAngle(a) => format!("α_nS = {a}°"),
+            Self::ConeAngle(a) => format!("θ_S = {a}°"),
         }
     }
 
@@ -59,7 +67,15 @@ impl Change {
                     dresser.tip_diameter = d;
                 }
             }
-            Self::PressureAngle(a) => changed.worm.normal_pressure_angle_deg = Some(OneOrSides::Both(a)),
+            Self::PressureAngle(a) => {
+                let gear = job.gear.normal_pressure_angle_deg.sides();
+                changed.worm.normal_pressure_angle_deg = Some(meshing_angles(a, &gear));
+            }
+            Self::ConeAngle(a) => {
+                changed.worm.cone_angle_deg = a;
+                // Only the tip at the ends of a conical worm depends on its width.
+                changed.worm.width = changed.worm.width.or(Some(NARROW));
+            }
         }
         changed
     }
@@ -85,4 +101,15 @@ impl Bodies {
                 .collect(),
         }
     }
+}
+
+/// The angles of a worm whose left flank has `left`, for a gear of the angles `gear`, degrees: the flanks share one module, and
+/// both normal base pitches are those of the gear.
+fn meshing_angles(left: f64, gear: &Sides<f64>) -> OneOrSides<f64> {
+    if gear.left == gear.right {
+        return OneOrSides::Both(left);
+    }
+    let cosine = |degrees: f64| degrees.to_radians().cos();
+    let right = (cosine(left) * cosine(gear.right) / cosine(gear.left)).min(1.0).acos().to_degrees();
+    OneOrSides::Each { left, right }
 }

@@ -8,6 +8,7 @@ pub mod deviations;
 pub mod files;
 pub mod profile;
 pub mod strokes;
+mod worm_files;
 pub mod worms;
 
 pub use crowning::{CrowningCurve, CrowningPoint, CurveEnd};
@@ -15,7 +16,7 @@ pub use deviations::{AxisInfluence, DeviationCurve, DeviationQuantile};
 pub use files::write_dressing_study;
 pub use profile::ProfileCurve;
 pub use strokes::{StrokeCurve, StrokeFigures};
-pub use worms::{WormCurve, WormPoint};
+pub use worms::{BothFlanks, WormCurve, WormOfLeastStretch, WormPoint};
 
 use crate::job::{DressingStudy, LoadedJob, Steps, StudyOver};
 use bodies::Bodies;

@@ -5,8 +5,8 @@ use super::bodies::{Bodies, Change};
 use crate::job::{Compare, LoadedJob, Steps};
 use crate::workflow::explore::Refused;
 use dressing::{
-    DresserSection, DresserTool, DressingError, ThreadSpace, WormSeat, angle_of_least_stretch,
-    fit_profile_along, profile_error, uncorrected_profile,
+    DresserSection, DresserTool, DressingError, StretchAngle, ThreadSpace, WormSeat, angle_of_least_stretch,
+    cone_without_stretch, fit_profile_along, profile_error, uncorrected_profile,
 };
 use foundation::geometry::{Flank, Sides};
 use generating::{GeneratingError, GrindingSetup};
@@ -39,6 +39,32 @@ pub struct WormPoint {
     pub largest_tip_land_mm: Option<f64>,
     /// Pressure angle of the worm at which the profile is not stretched; absent where none is near.
     pub angle_without_stretch_deg: Option<f64>,
+    /// The worm of this diameter for both flanks of an asymmetric gear at once; absent over other quantities and for symmetric
+    /// gears, whose flanks share the angle above.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub both_flanks: Option<BothFlanks>,
+}
+
+/// The worm on which the dresser works without stretch on both flanks of an asymmetric gear.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct BothFlanks {
+    /// The cylindrical worm on which the larger stretch is least; absent where none is near.
+    pub cylindrical: Option<WormOfLeastStretch>,
+    /// The conical worm that stretches neither flank; absent where none is near.
+    pub conical: Option<WormOfLeastStretch>,
+}
+
+/// A worm and what it leaves of the stretch.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct WormOfLeastStretch {
+    /// Cone angle.
+    pub cone_angle_deg: f64,
+    /// Normal pressure angle of the left flank; the right one follows from the module that both share.
+    pub pressure_angle_left_deg: f64,
+    /// Relative profile stretch of the left flank.
+    pub stretch_left: f64,
+    /// Relative profile stretch of the right flank.
+    pub stretch_right: f64,
 }
 
 /// The dresser on worms of one number of threads, or whatever else is compared.
@@ -84,7 +110,7 @@ const BRACKET_DEG: f64 = 2.0;
 pub enum Along {
     /// The pitch diameter of the worm.
     Diameter,
-    /// The normal pressure angle of the worm.
+    /// The normal pressure angle of the worm's left flank.
     PressureAngle,
 }
 
@@ -97,10 +123,10 @@ impl Along {
     }
 
     /// The value of the worm for which the dresser is made.
-    fn own(self, setup: &GrindingSetup, flank: Flank) -> f64 {
+    fn own(self, setup: &GrindingSetup) -> f64 {
         match self {
             Self::Diameter => 2.0 * setup.worm_pitch_radius,
-            Self::PressureAngle => setup.pair.worm.data().pressure_angle[flank].to_degrees(),
+            Self::PressureAngle => setup.pair.worm.data().pressure_angle.left.to_degrees(),
         }
     }
 }
@@ -179,7 +205,7 @@ impl Study<'_> {
         let (seat, setup) = self.seat(changes, &[self.along.change(value)])?;
         let refused = |error: DressingError| Refused::from(&GeneratingError::from(error));
         // On the way from the dresser's own worm a worm that does not exist ends the way.
-        let (from, own_diameter) = (self.along.own(own, flank), 2.0 * own.worm_pitch_radius);
+        let (from, own_diameter) = (self.along.own(own), 2.0 * own.worm_pitch_radius);
         let path = |share: f64| {
             let mut more = vec![self.along.change(from + share * (value - from))];
             if let Some(diameter) = self.diameter {
@@ -198,9 +224,13 @@ impl Study<'_> {
         let land = DresserSection::new(&tool, flank, tip)
             .and_then(|section| section.largest_tip_land(&fit.dk, 0.0, ThreadSpace::default()))
             .map_err(refused)?;
-        let angle = (self.along == Along::Diameter)
-            .then(|| self.angle_without_stretch(changes, dresser, &setup, value))
-            .flatten();
+        let over_diameter = self.along == Along::Diameter;
+        let by_angle =
+            over_diameter.then_some(ByAngle { study: self, changes, dresser, own, diameter: value });
+        let asymmetric = {
+            let angles = setup.pair.work.data().pressure_angle;
+            angles.left != angles.right
+        };
         Ok(WormPoint {
             value,
             uncorrected_crowning_um: uncorrected.map(|(_, f)| -f / setup.lines[flank].cos_b2 * 1e3),
@@ -211,26 +241,67 @@ impl Study<'_> {
             d_v_ya_mm: fit.dk[3],
             error_um: error * 1e3,
             largest_tip_land_mm: land,
-            angle_without_stretch_deg: angle,
+            angle_without_stretch_deg: by_angle.as_ref().and_then(ByAngle::without_stretch),
+            both_flanks: by_angle.as_ref().filter(|_| asymmetric).map(ByAngle::both_flanks),
+        })
+    }
+}
+
+/// Worms of one diameter over their angles.
+struct ByAngle<'a> {
+    study: &'a Study<'a>,
+    changes: &'a [Change],
+    dresser: &'a DresserTool,
+    own: &'a GrindingSetup,
+    diameter: f64,
+}
+
+impl ByAngle<'_> {
+    /// The worm of a pressure angle of the left flank and a cone angle, rad.
+    fn seat(&self, angle: f64, cone_angle: f64) -> Result<WormSeat, DressingError> {
+        let more = [
+            Change::WormPitchDiameter(self.diameter),
+            Change::PressureAngle(angle.to_degrees()),
+            Change::ConeAngle(cone_angle.to_degrees()),
+        ];
+        self.study.seat(self.changes, &more).map(|(seat, _)| seat).map_err(|_| {
+            let flank = self.study.flank;
+            DressingError::NoConjugate { flank, w: self.dresser.flanks[flank].range.middle() }
         })
     }
 
-    fn angle_without_stretch(
-        &self,
-        changes: &[Change],
-        dresser: &DresserTool,
-        setup: &GrindingSetup,
-        diameter: f64,
-    ) -> Option<f64> {
-        let own = setup.pair.worm.data().pressure_angle[self.flank].to_degrees();
-        let seat = |angle: f64| {
-            let more = [Change::WormPitchDiameter(diameter), Change::PressureAngle(angle.to_degrees())];
-            self.seat(changes, &more).map(|(seat, _)| seat).map_err(|_| DressingError::NoConjugate {
-                flank: self.flank,
-                w: dresser.flanks[self.flank].range.middle(),
-            })
-        };
+    /// The cylindrical worm of least stretch on the `flanks`.
+    fn least(&self, flanks: &[Flank]) -> Option<StretchAngle> {
+        let own = self.own.pair.worm.data().pressure_angle.left.to_degrees();
         let bracket = [own - BRACKET_DEG, own + BRACKET_DEG].map(f64::to_radians);
-        angle_of_least_stretch(dresser, &[self.flank], &seat, bracket).ok().map(|at| at.angle.to_degrees())
+        angle_of_least_stretch(self.dresser, flanks, &|angle| self.seat(angle, 0.0), bracket).ok()
+    }
+
+    /// The pressure angle without stretch on the flank of the study, degrees.
+    fn without_stretch(&self) -> Option<f64> {
+        let flank = self.study.flank;
+        let seat = self.seat(self.least(&[flank])?.angle, 0.0).ok()?;
+        Some(seat.worm.data().pressure_angle[flank].to_degrees())
+    }
+
+    fn both_flanks(&self) -> BothFlanks {
+        let cylindrical = self.least(&Flank::BOTH);
+        // Without a cylindrical worm the dresser's own angle is where to begin.
+        let own = self.own.pair.worm.data().pressure_angle.left;
+        let start = cylindrical.map_or(own, |least| least.angle);
+        let conical = cone_without_stretch(self.dresser, &|angle, cone| self.seat(angle, cone), start).ok();
+        let worm = |angle: f64, cone: f64, stretch: Sides<f64>| WormOfLeastStretch {
+            cone_angle_deg: cone.to_degrees(),
+            pressure_angle_left_deg: angle.to_degrees(),
+            stretch_left: stretch.left,
+            stretch_right: stretch.right,
+        };
+        BothFlanks {
+            cylindrical: cylindrical.and_then(|least| {
+                let (left, right) = least.stretch.left.zip(least.stretch.right)?;
+                Some(worm(least.angle, 0.0, Sides { left, right }))
+            }),
+            conical: conical.map(|found| worm(found.angle, found.cone_angle, found.stretch)),
+        }
     }
 }

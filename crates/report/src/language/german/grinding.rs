@@ -242,6 +242,10 @@ pub(super) const TEXTS: &[Text] = &[
     ("designed for pitch diameter", "ausgelegt für Teilkreisdurchmesser"),
     ("designed for tip diameter", "ausgelegt für Kopfkreisdurchmesser"),
     ("profile stretch", "Streckung des Profils"),
+    (
+        "smaller worms left whole by this dressing, down to tip diameter",
+        "kleinere Schnecken bleiben bei diesem Abrichten heil, bis Kopfkreisdurchmesser",
+    ),
     ("largest tip land without collision", "größte Kopfbreite ohne Kollision"),
     ("contact", "Berührung"),
     ("in a point, line by line", "in einem Punkt, Zeile für Zeile"),

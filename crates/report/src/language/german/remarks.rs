@@ -21,6 +21,18 @@ pub(super) const TEXTS: &[Text] = &[
         "none is needed: that is less than a tenth of the tolerance",
         "nichts ist nötig: das ist weniger als ein Zehntel der Toleranz",
     ),
+    (
+        "dressing now cuts up to {n} µm into the left flank of the worm of {n} mm that is left later, at z = {n} mm; worms down to {n} mm stay whole",
+        "das Abrichten schneidet jetzt bis {} µm in die linke Flanke der Schnecke von {} mm, die später bleibt, bei z = {} mm; Schnecken bis {} mm bleiben heil",
+    ),
+    (
+        "dressing now cuts up to {n} µm into the right flank of the worm of {n} mm that is left later, at z = {n} mm; worms down to {n} mm stay whole",
+        "das Abrichten schneidet jetzt bis {} µm in die rechte Flanke der Schnecke von {} mm, die später bleibt, bei z = {} mm; Schnecken bis {} mm bleiben heil",
+    ),
+    (
+        "end the life of the worm there (technology.life.last_tip_diameter = {n} now), take a smaller dresser, or design it for a smaller worm (dresser.designed_for)",
+        "die Schnecke dort aufbrauchen lassen (technology.life.last_tip_diameter, jetzt {}), einen kleineren Abrichter nehmen oder ihn für eine kleinere Schnecke auslegen (dresser.designed_for)",
+    ),
     ("class {n} of ISO 1328-1", "Klasse {} nach ISO 1328-1"),
     (
         "a plan has no pitches and no run-out; `flankwright inspect` judges a measured gear by it",

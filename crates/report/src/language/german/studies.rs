@@ -301,6 +301,24 @@ pub(super) const TEXTS: &[Text] = &[
         "The largest tip land that clears the opposite flank, and the pressure angle of the worm for which this dresser needs no stretch.",
         "Die größte Kopfbreite, die von der Gegenflanke freibleibt, und der Eingriffswinkel der Schnecke, für den dieser Abrichter keine Streckung braucht.",
     ),
+    (
+        "The dresser on other worms: both flanks without stretch",
+        "Der Abrichter an anderen Schnecken: beide Flanken ohne Streckung",
+    ),
+    (
+        "The flanks of an asymmetric gear ask for different pressure angles. A cylindrical worm shares what is left between them; on a conical worm neither flank is stretched.",
+        "Die Flanken eines asymmetrischen Rades brauchen verschiedene Eingriffswinkel. Eine zylindrische Schnecke teilt den Rest zwischen ihnen auf; auf einer konischen ist keine Flanke gestreckt.",
+    ),
+    (
+        "cylindrical worm of least stretch: pressure angle of the left flank [°]",
+        "zylindrische Schnecke kleinster Streckung: Eingriffswinkel der linken Flanke [°]",
+    ),
+    ("stretch that it leaves on both flanks [%]", "Streckung, die sie auf beiden Flanken lässt [%]"),
+    ("conical worm without stretch: cone angle [°]", "konische Schnecke ohne Streckung: Kegelwinkel [°]"),
+    (
+        "conical worm without stretch: pressure angle of the left flank [°]",
+        "konische Schnecke ohne Streckung: Eingriffswinkel der linken Flanke [°]",
+    ),
     ("profile crowning without corrections [µm]", "Höhenballigkeit ohne Zusatzbewegungen [µm]"),
     ("deviation of the profile with corrections [µm]", "Abweichung des Profils mit Zusatzbewegungen [µm]"),
     ("largest tip land of the dresser [mm]", "größte Kopfbreite des Abrichters [mm]"),

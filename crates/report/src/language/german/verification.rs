@@ -34,7 +34,6 @@ pub(super) const TEXTS: &[Text] = &[
         "Der Hub wurde mit der Steuerung des Auftrags statt mit idealen Kopplungen simuliert: Maßstäbe und Drehgeber werden gezählt, das Getriebe summiert, der Antrieb folgt mit Trägheit, Reibung und Störungen. Die Zahlen sind, was das allein hinterlässt, normal zur Flanke, positiv, wo Material steht; ohne konstante Anteile, wie nach dem Einmitten.",
     ),
     ("What gearbox and servo leave", "Was Getriebe und Antrieb hinterlassen"),
-    ("Root mean square", "Quadratisches Mittel"),
     ("Deviation from the target with it", "Abweichung von der Sollflanke damit"),
     ("Single pitch", "Einzelteilung"),
     ("Cumulative pitch", "Gesamtteilung"),
