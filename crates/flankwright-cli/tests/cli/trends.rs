@@ -122,3 +122,21 @@ fn a_dresser_on_smaller_worms_stretches() {
         assert!(falls(&stretch) && stretch[0] > 0.0 && stretch[stretch.len() - 1] < 0.0, "{stretch:?}");
     }
 }
+
+/// Flanks of an asymmetric gear: one cylindrical worm shares what stretch is left between them, a conical one has none.
+#[test]
+fn a_cone_takes_the_stretch_off_both_flanks() {
+    let worms = study("asymmetric-worm-life");
+    let points = list(&list(&worms, "worms")[0], "points");
+    for point in &points[..points.len() - 1] {
+        let both = &point["both_flanks"];
+        let of = |worm: &str, side: &str| number(&both[worm], &format!("stretch_{side}"));
+        let (left, right) = (of("cylindrical", "left"), of("cylindrical", "right"));
+        assert!((left + right).abs() < 1e-9 && left.abs() > 1e-7, "{both}");
+        assert!(left.abs() < 0.01 * number(point, "stretch").abs(), "{point}");
+        for side in ["left", "right"] {
+            assert!(of("conical", side).abs() < 1e-9, "{both}");
+        }
+        assert!(number(&both["conical"], "cone_angle_deg") < 0.0, "{both}");
+    }
+}
