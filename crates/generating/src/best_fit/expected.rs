@@ -106,6 +106,11 @@ impl BestFitTask<'_> {
         tried
     }
 
+    /// What a ratio is expected to cost.
+    pub fn expected(&self, ratio: f64) -> Expected {
+        Expected { ratio, cost: self.cost(ratio, |fit| fit.estimate()) }
+    }
+
     fn cost(&self, ratio: f64, of_flank: impl Fn(&FlankFit<'_>) -> f64) -> f64 {
         let fits = self.fits(ratio);
         fits.map_or(f64::INFINITY, |fits| {

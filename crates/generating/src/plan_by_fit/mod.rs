@@ -1,5 +1,6 @@
 //! Plans by a best fit to the whole target (`docs/mathematics/best-fit.md`), for targets that the closed decomposition misses or refuses.
 
+mod between;
 mod carrying;
 mod fitted;
 mod rounds;
@@ -12,6 +13,7 @@ use super::{
     Effort, GeneratingError, GrindingPlan, LeastDeviation, PlanGauge, PlanningGrid, Prefer, ProfilePlace,
     Tool,
 };
+use between::between;
 use fitted::narrower;
 use foundation::geometry::{Flank, Sides};
 use std::cell::Cell;
@@ -42,6 +44,8 @@ const RETRIES: usize = 2;
 /// A plan within so many tolerances is nearly one; ratios about its own that are tried then, as factors.
 const NEARLY: f64 = 2.5;
 const NEIGHBOURS: [f64; 4] = [1.04, 0.96, 1.1, 0.9];
+/// Ratios between these that are carried out where all of them miss, at most.
+const BETWEEN: usize = 10;
 /// A fit that leaves more than this of what an unmodified flank would is hardly one.
 const OF_UNMODIFIED: f64 = 0.5;
 /// So many of those that were not dressed are dressed after all where there is no plan, the most promising first, until one is.
@@ -163,6 +167,15 @@ impl PlanTask<'_> {
                 break;
             }
         }
+        if self.effort == Effort::Full && self.ratio.is_none() {
+            let scan = fits((&coarse, SCAN_INTERVALS))?;
+            best = self.sought_between(
+                &task,
+                &trials(Manner::Near),
+                between(&scan, &ratios.known, &tried),
+                best,
+            );
+        }
         let best = best.map(|best| best.plan);
         let worth = |known: &GrindingPlan| self.deviation(known) <= OF_UNMODIFIED * self.unmodified(known);
         if self.effort == Effort::Trial || best.as_ref().is_some_and(worth) {
@@ -248,6 +261,27 @@ impl PlanTask<'_> {
             });
         }
         (best, tried)
+    }
+
+    /// The best plan of those known and at further ratios, which are tried until one meets the tolerance.
+    fn sought_between(
+        &self,
+        task: &BestFitTask<'_>,
+        trials: &Trials<'_>,
+        ratios: Vec<f64>,
+        mut best: Option<FittedPlan>,
+    ) -> Option<FittedPlan> {
+        for ratio in ratios.into_iter().take(BETWEEN) {
+            let met =
+                |best: &Option<FittedPlan>| best.as_ref().is_some_and(|known| known.strain <= self.tolerance);
+            if met(&best) || trials.are_over(false) {
+                break;
+            }
+            let over = || trials.are_over(false);
+            let found = self.fitted_within(task, trials, (ratio, 1), over, &mut Vec::new());
+            best = best.into_iter().chain(found).min_by(|a, b| a.strain.total_cmp(&b.strain));
+        }
+        best
     }
 
     /// The best fit at a ratio, made again with narrower limits where one is to blame, up to `retries` times.
