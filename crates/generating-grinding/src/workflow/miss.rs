@@ -199,7 +199,7 @@ fn profile_without_ratio(miss: &Miss<'_>) -> Option<Remark> {
         let (why, first) = if by_correction {
             ("corrections of the dressing motion do not reach so far with this worm", "Take a worm with more threads")
         } else {
-            ("the job does not ask for them", "Ask for dressing.profile_crowning_by = \"correction\"")
+            ("no plan with them meets the target", "Plan with dressing.profile_crowning_by = \"correction\" to see why")
         };
         Remark::new(
             "profile-needs-a-ratio",

@@ -30,12 +30,12 @@ use crate::workflow::programs::of_grinding::programs_of_grinding;
 use crate::workflow::programs::run_programs::RunPrograms;
 use foundation::geometry::{Flank, Sides};
 use foundation::numerics::Progress;
-use generating::{Effort, GrindingPlan, RatioReason};
+use generating::{Effort, GrindingPlan, ProfilePlace, RatioReason};
 use report::charts::DressingSectionChart;
 use run::{CharacteristicsUm, Release, RunFailure, output_warnings};
 use std::collections::BTreeMap;
 use std::time::Instant;
-use verdict::{Remark, Verdict};
+use verdict::{Remark, Status, Verdict};
 
 /// Everything that a run produces.
 pub struct Outcome {
@@ -109,7 +109,18 @@ struct Refused {
     fitted: bool,
 }
 
-/// Plans. A best fit that the simulation does not carry out gives way to the nearest one whose command is smoother: the target is then
+/// Whether a plan without shift misses its target, and corrections of dressing that the job leaves open may make the profile.
+fn profile_is_left_to_dressing(outcome: &Outcome) -> bool {
+    let rules = &outcome.prepared.rules;
+    outcome.result.verdict.status() == Status::Missed
+        && rules.known_ratio() == Some(0.0)
+        && !rules.free_dresser
+        && rules.places == [ProfilePlace::Diagonal, ProfilePlace::Correction]
+        && outcome.prepared.law.is_none()
+}
+
+/// Plans. Without shift the profile of a dresser that is given is corrected by the dressing motion where that meets a target that is missed
+/// else. A best fit that the simulation does not carry out gives way to the nearest one whose command is smoother: the target is then
 /// missed with figures.
 fn planned(
     ready: impl Fn() -> Result<Prepared, RunFailure>,
@@ -117,6 +128,15 @@ fn planned(
 ) -> Result<Outcome, RunFailure> {
     let begun = Instant::now();
     let refused = match planned_once(ready()?, begun, progress) {
+        Ok(outcome) if profile_is_left_to_dressing(&outcome) => {
+            let mut ready = ready()?;
+            ready.rules.places = vec![ProfilePlace::Correction];
+            // Where the dresser has no room for it, the plan without stays.
+            return Ok(match planned_once(ready, begun, progress) {
+                Ok(corrected) if corrected.result.verdict.status() == Status::Met => corrected,
+                _ => outcome,
+            });
+        }
         Ok(outcome) => return Ok(outcome),
         Err(refused) => refused,
     };

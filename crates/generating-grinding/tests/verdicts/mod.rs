@@ -148,7 +148,7 @@ helix_points = 11
     ))
 }
 
-/// Without a shift the dressing motion makes the profile that a given dresser lacks, where it is asked to.
+/// Without a shift the dressing motion makes the profile that a given dresser lacks, asked to or not, as far as the worm lets it.
 #[test]
 fn corrections_make_a_profile_without_shift() {
     let radial = |modification: &str, dressing: &str| {
@@ -157,12 +157,14 @@ fn corrections_make_a_profile_without_shift() {
         );
         planned(&left_handed(modification, "threads = 7\ntip_diameter = 108.75", &rest)).verdict
     };
-    let crowning = r#"{ kind = "profile_crowning", amount_um = 5.0 }"#;
-    for modification in [crowning, r#"{ kind = "profile_slope", amount_um = 6.0 }"#] {
-        let verdict = radial(modification, "[dressing]\nprofile_crowning_by = \"correction\"");
-        assert_eq!(verdict.status(), Status::Met, "{modification}: {:?}", verdict.reason());
+    let crowning = |um: f64| format!("{{ kind = \"profile_crowning\", amount_um = {um:.1} }}");
+    for modification in [crowning(5.0), r#"{ kind = "profile_slope", amount_um = 6.0 }"#.to_owned()] {
+        for dressing in ["[dressing]\nprofile_crowning_by = \"correction\"", ""] {
+            let verdict = radial(&modification, dressing);
+            assert_eq!(verdict.status(), Status::Met, "{modification} {dressing}: {:?}", verdict.reason());
+        }
     }
-    let verdict = radial(crowning, "");
+    let verdict = radial(&crowning(60.0), "");
     let reason = verdict.reason().expect("a miss");
     assert_eq!(reason.code, "profile-needs-a-ratio", "{reason:?}");
     assert!(reason.way_out.contains("profile_crowning_by = \"correction\""), "{reason:?}");
