@@ -2,8 +2,8 @@
 
 use super::exactly_one;
 use crate::job::{
-    BevelFlank, BevelGear, BevelSpiral, Blade, FourDigits, GridGear, MillingGear, MillingJob, NacaBlade,
-    SpiralLine,
+    BevelFlank, BevelGear, BevelSpiral, Blade, DoubleHelicalBevel, FourDigits, GridGear, MillingGear,
+    MillingJob, NacaBlade, SpiralLine,
 };
 use job::checks::{contradiction, drawing};
 use job::tables::Flanks;
@@ -169,6 +169,9 @@ fn bevel(bevel: &BevelGear, findings: &mut Vec<Diagnostic>) {
     if let Some(spiral) = &bevel.spiral {
         flank_line(spiral, findings);
     }
+    if let Some(halves) = bevel.double_helical {
+        halves_of_bevel(bevel, halves, findings);
+    }
     let [root, tip] = bevel.cone_angles_deg();
     if root <= 0.0 {
         impossible(
@@ -177,6 +180,18 @@ fn bevel(bevel: &BevelGear, findings: &mut Vec<Diagnostic>) {
             bevel.dedendum_factor,
             "a dedendum with which the root cone stays open".into(),
             "compare pitch cone angle, teeth and dedendum with the drawing",
+            findings,
+        );
+        return;
+    }
+    let most = bevel.end_of_involute_deg();
+    if tip >= most {
+        impossible(
+            format!("the tip cone has an angle of {tip:.4} degrees, beyond the end of the flank"),
+            "bevel.addendum_factor",
+            bevel.addendum_factor,
+            format!("an addendum with which the tip cone has less than {} degrees", shown_number(most)),
+            "compare module, teeth, pitch cone angle and addendum with the drawing",
             findings,
         );
         return;
@@ -194,6 +209,41 @@ fn bevel(bevel: &BevelGear, findings: &mut Vec<Diagnostic>) {
                 shown_number(tip)
             ),
             "give an angle between both cones, or leave it out",
+            findings,
+        );
+    }
+}
+
+/// Halves of opposite hand, both with teeth.
+fn halves_of_bevel(bevel: &BevelGear, halves: DoubleHelicalBevel, findings: &mut Vec<Diagnostic>) {
+    if bevel.spiral.is_none_or(|spiral| spiral.mean_spiral_angle_deg == 0.0) {
+        findings.push(contradiction(
+            "the halves of a double-helical gear have opposite hands, and teeth without a spiral angle have none",
+            "bevel.double_helical",
+            if bevel.spiral.is_none() { "a table without `spiral`" } else { "a table beside mean_spiral_angle_deg = 0" }
+                .into(),
+            "no key without `spiral` and its angle",
+            "leave `double_helical` out, or give the `spiral` of the half at the heel",
+        ));
+    }
+    let face = bevel.face_width;
+    if halves.gap >= face {
+        impossible(
+            format!("the gap of {} leaves nothing of the face width {face}", halves.gap),
+            "bevel.double_helical.gap",
+            halves.gap,
+            format!("< face_width = {}", shown_number(face)),
+            "`face_width` is that of both halves with the gap",
+            findings,
+        );
+    } else if halves.middle.abs() >= 0.5 * (face - halves.gap) {
+        let most = 0.5 * (face - halves.gap);
+        impossible(
+            format!("with the middle at {} one of the halves has no teeth", halves.middle),
+            "bevel.double_helical.middle",
+            halves.middle,
+            format!("between {} and {}", shown_number(-most), shown_number(most)),
+            "count from the middle of the face towards the heel; both halves and the gap lie within `face_width`",
             findings,
         );
     }
