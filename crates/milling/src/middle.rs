@@ -1,7 +1,7 @@
 //! Where paths end in the middle of a double-helical gear (`docs/mathematics/milling.md#flanks-as-patches`): in its middle plane (of a bevel
 //! gear a sphere about the apex), or before where the cutter comes to the other half.
 
-use super::{Clearance, CutterPath, CutterPlace, Kink, MillingError, Obstacle};
+use super::{Clearance, CutterPath, CutterPlace, HIDDEN, Kink, MillingError, Obstacle};
 use foundation::geometry::Cutter;
 use foundation::numerics::brent;
 
@@ -88,16 +88,14 @@ impl Limits<'_> {
                 return Err(self.refused_at_begin(place, &met, row));
             };
             let block = [&places[before], place];
-            let room = |share: f64| {
-                let at = within(block, share);
-                let kept = met.iter().map(|(obstacle, _)| {
-                    obstacle.patch.clearance(self.cutter, &at.tip, &at.axis).value - obstacle.wanted
-                });
-                kept.fold(if crossed { self.before_middle(&at) } else { f64::INFINITY }, f64::min)
-            };
-            let ends = [room(0.0), room(1.0)];
-            // A place that has just no room left is the end itself.
-            let share = brent([0.0, 1.0], ends, SHARE, |share| Some(room(share))).unwrap_or(0.0);
+            let mut share = self.share_with_room(block, &met, crossed, 1.0);
+            // Where both halves are relieved at their common end the cutter is past the edge of the other one at the next place and digs
+            // into it in the middle itself.
+            let mut edge = self.met(&within(block, share));
+            edge.retain(|(obstacle, kept)| kept.value < obstacle.wanted - HIDDEN);
+            if !edge.is_empty() {
+                share = self.share_with_room(block, &edge, false, share);
+            }
             end = Some((before, share, within(block, share)));
             break;
         }
@@ -114,6 +112,26 @@ impl Limits<'_> {
             places.reverse();
         }
         Ok(Ended { path: CutterPath { places }, at })
+    }
+
+    /// How far a block may go, up to a share of it, so that nothing of these comes too near and, if it crosses the middle, it does not.
+    fn share_with_room(
+        &self,
+        block: [&CutterPlace; 2],
+        met: &[(&Obstacle<'_>, Clearance)],
+        crossed: bool,
+        most: f64,
+    ) -> f64 {
+        let room = |share: f64| {
+            let at = within(block, share);
+            let kept = met.iter().map(|(obstacle, _)| {
+                obstacle.patch.clearance(self.cutter, &at.tip, &at.axis).value - obstacle.wanted
+            });
+            kept.fold(if crossed { self.before_middle(&at) } else { f64::INFINITY }, f64::min)
+        };
+        let ends = [room(0.0), room(most)];
+        // A place that has just no room left is the end itself.
+        brent([0.0, most], ends, SHARE, |share| Some(room(share))).unwrap_or(0.0)
     }
 
     fn refused_at_begin(
