@@ -55,8 +55,9 @@ impl<'a> ColumnPlane<'a> {
         let section = self.by_newton(height, start).or_else(|| self.by_bracket(height, start));
         let section = section.ok_or(MillingError::ColumnNoSection { u: self.lead.u, height, start })?;
         match self.flank.kink {
-            Some((kink, side)) if (section.length - kink) * side < 0.0 => {
-                Err(MillingError::ColumnKink { length: section.length, kink })
+            Some(kink) if (section.length - kink.length) * kink.side < 0.0 => {
+                let length = section.length;
+                Err(MillingError::ColumnKink { length, kink: kink.length, along: kink.along })
             }
             _ => Ok(section),
         }

@@ -1,6 +1,6 @@
 //! What can keep a flank from being milled (`docs/mathematics/milling.md#limits`).
 
-use super::flank::LimitBody;
+use super::flank::{Along, LimitBody};
 use super::milled_side::MilledSide;
 use super::obstacle::Collision;
 use super::operation_kind::OperationKind;
@@ -59,6 +59,8 @@ pub enum MillingError {
         length: f64,
         /// Where the halves meet, mm.
         kink: f64,
+        /// What both are counted along.
+        along: Along,
     },
     /// No column plane holds a point of the face's end.
     #[error("no column plane holds the flank's point at height {height}, length {length}")]

@@ -46,6 +46,36 @@ pub enum HeightLimits {
     },
 }
 
+/// What positions along the teeth of both halves are counted along.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Along {
+    /// The axis: of a cylindrical gear.
+    Axis,
+    /// Rays from the apex: of a bevel gear.
+    Rays,
+}
+
+/// The middle of a double-helical gear, seen from one half. mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kink {
+    /// Where the halves would meet, in the length parameter.
+    pub length: f64,
+    /// On which side (+1 or -1) the half lies.
+    pub side: f64,
+    /// What the length is counted along.
+    pub along: Along,
+}
+
+impl Kink {
+    /// Where along the teeth a point lies, mm.
+    pub fn position(&self, point: &Vector3<f64>) -> f64 {
+        match self.along {
+            Along::Axis => point.z,
+            Along::Rays => point.norm(),
+        }
+    }
+}
+
 /// A flank that is to be milled.
 #[derive(Clone, Debug)]
 pub struct ActiveFlank {
@@ -55,9 +85,8 @@ pub struct ActiveFlank {
     pub heights: HeightLimits,
     /// Both ends of the face in the length parameter, ascending.
     pub face: [f64; 2],
-    /// A length that nothing that is milled may cross, with the side (+1 or -1) on which this flank lies: where two helices of a
-    /// double-helical gear meet.
-    pub kink: Option<(f64, f64)>,
+    /// What nothing that is milled may cross: where the halves of a double-helical gear meet.
+    pub kink: Option<Kink>,
 }
 
 impl ActiveFlank {

@@ -2,7 +2,7 @@
 
 use super::finish::FinishedRow;
 use super::lines::LaidLines;
-use super::milled_side::{Half, MilledSide};
+use super::milled_side::MilledSide;
 use super::root_pass::RootSection;
 use super::row_paths::RowEnd;
 use super::{
@@ -73,7 +73,7 @@ impl FlankPlan {
         let above = column.places.partition_point(|place| sense * (place.height - height) < 0.0);
         let beside = [above.saturating_sub(1), above.min(self.rows.len() - 1)];
         let comes_by = |row: usize| match self.ends[row] {
-            Some(end) => (end.u < u) == (self.side.half == Some(Half::Upper)),
+            Some(end) => (end.u < u) == self.side.half.is_some_and(|half| half.sign() > 0.0),
             None => true,
         };
         Ok(beside.into_iter().all(comes_by))

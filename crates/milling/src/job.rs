@@ -34,7 +34,7 @@ mod tests;
 mod work_offset;
 
 pub use self::milling::{CutSense, Milling, RowDistances, RowSequence, Spaces, Traversal};
-pub use bevel::{BevelFlank, BevelGear, BevelSpiral, SpiralLine};
+pub use bevel::{BevelFlank, BevelGear, BevelSpiral, DoubleHelicalBevel, SpiralLine};
 pub use blade::{Blade, BladePoints, BladeSide, RuledBlade};
 pub use compensation::MillingCompensation;
 pub use contact_height::{ContactHeight, HeightRamp};

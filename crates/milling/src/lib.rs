@@ -61,7 +61,7 @@ pub use density::{DenseGrid, DensityLimits, DistanceLimits, Violated, dense_grid
 pub use drawn_root::{RootModel, RootPart, RootPoint, drawn_root, drawn_section, root_limits};
 pub use error::MillingError;
 pub use finish::{Bottom, FinishOptions, FinishedRow, Kept, finish};
-pub use flank::{ActiveFlank, HeightLimits, LimitBody};
+pub use flank::{ActiveFlank, Along, HeightLimits, Kink, LimitBody};
 pub use flank_plan::{FlankPlan, RowFigures};
 pub use grid::{Column, FlankGrid, GridPlace, NeighbourDistances};
 pub use lead_curve::{

@@ -1,7 +1,7 @@
-//! Where paths end in the middle of a double-helical gear (`docs/mathematics/milling.md#flanks-as-patches`): in its middle plane, or before
-//! where the cutter comes to the other half.
+//! Where paths end in the middle of a double-helical gear (`docs/mathematics/milling.md#flanks-as-patches`): in its middle plane (of a bevel
+//! gear a sphere about the apex), or before where the cutter comes to the other half.
 
-use super::{Clearance, CutterPath, CutterPlace, MillingError, Obstacle};
+use super::{Clearance, CutterPath, CutterPlace, HIDDEN, Kink, MillingError, Obstacle};
 use foundation::geometry::Cutter;
 use foundation::numerics::brent;
 
@@ -19,11 +19,6 @@ const NONE: f64 = 1e-6;
 /// Accuracy of the share of a block at which a path ends.
 const SHARE: f64 = 1e-9;
 
-/// Where along the axis a place counts: where it touches, or else its tip. mm.
-fn position(place: &CutterPlace) -> f64 {
-    place.contact.unwrap_or(place.tip).z
-}
-
 /// The place at a share of a straight block: tip and axis linear, as the machine goes.
 fn within([from, to]: [&CutterPlace; 2], share: f64) -> CutterPlace {
     let between = |a: nalgebra::Vector3<f64>, b: nalgebra::Vector3<f64>| a + (b - a) * share;
@@ -36,8 +31,8 @@ fn within([from, to]: [&CutterPlace; 2], share: f64) -> CutterPlace {
 
 /// What keeps a path of one half in its half.
 pub(super) struct Limits<'a> {
-    /// z_0 and the side of it (+1 or -1) on which the half lies.
-    pub middle: (f64, f64),
+    /// The middle and the side of it on which the half lies.
+    pub middle: Kink,
     /// The cutter.
     pub cutter: &'a Cutter,
     /// The other half.
@@ -45,10 +40,14 @@ pub(super) struct Limits<'a> {
 }
 
 impl Limits<'_> {
+    /// Where along the teeth a place counts: where it touches, or else its tip. mm.
+    fn position(&self, place: &CutterPlace) -> f64 {
+        self.middle.position(&place.contact.unwrap_or(place.tip))
+    }
+
     /// How far a place is from the middle on its own side, mm.
     fn before_middle(&self, place: &CutterPlace) -> f64 {
-        let (middle, side) = self.middle;
-        (position(place) - middle) * side
+        (self.position(place) - self.middle.length) * self.middle.side
     }
 
     /// Obstacles that a place is too near to, each with what is missing.
@@ -66,7 +65,7 @@ impl Limits<'_> {
         met
     }
 
-    /// A path whose places ascend along the axis, ended where it would cross the middle or come too near to the other half. It is
+    /// A path whose places ascend along the teeth, ended where it would cross the middle or come too near to the other half. It is
     /// followed from the far end of the half; `row` is its number for messages.
     ///
     /// # Errors
@@ -74,7 +73,7 @@ impl Limits<'_> {
     pub fn end(&self, path: CutterPath, row: usize) -> Result<Ended, MillingError> {
         let mut places = path.places;
         let last = places.len().saturating_sub(1);
-        let inwards = self.middle.1 > 0.0;
+        let inwards = self.middle.side > 0.0;
         if inwards {
             places.reverse();
         }
@@ -89,16 +88,14 @@ impl Limits<'_> {
                 return Err(self.refused_at_begin(place, &met, row));
             };
             let block = [&places[before], place];
-            let room = |share: f64| {
-                let at = within(block, share);
-                let kept = met.iter().map(|(obstacle, _)| {
-                    obstacle.patch.clearance(self.cutter, &at.tip, &at.axis).value - obstacle.wanted
-                });
-                kept.fold(if crossed { self.before_middle(&at) } else { f64::INFINITY }, f64::min)
-            };
-            let ends = [room(0.0), room(1.0)];
-            // A place that has just no room left is the end itself.
-            let share = brent([0.0, 1.0], ends, SHARE, |share| Some(room(share))).unwrap_or(0.0);
+            let mut share = self.share_with_room(block, &met, crossed, 1.0);
+            // Where both halves are relieved at their common end the cutter is past the edge of the other one at the next place and digs
+            // into it in the middle itself.
+            let mut edge = self.met(&within(block, share));
+            edge.retain(|(obstacle, kept)| kept.value < obstacle.wanted - HIDDEN);
+            if !edge.is_empty() {
+                share = self.share_with_room(block, &edge, false, share);
+            }
             end = Some((before, share, within(block, share)));
             break;
         }
@@ -117,6 +114,26 @@ impl Limits<'_> {
         Ok(Ended { path: CutterPath { places }, at })
     }
 
+    /// How far a block may go, up to a share of it, so that nothing of these comes too near and, if it crosses the middle, it does not.
+    fn share_with_room(
+        &self,
+        block: [&CutterPlace; 2],
+        met: &[(&Obstacle<'_>, Clearance)],
+        crossed: bool,
+        most: f64,
+    ) -> f64 {
+        let room = |share: f64| {
+            let at = within(block, share);
+            let kept = met.iter().map(|(obstacle, _)| {
+                obstacle.patch.clearance(self.cutter, &at.tip, &at.axis).value - obstacle.wanted
+            });
+            kept.fold(if crossed { self.before_middle(&at) } else { f64::INFINITY }, f64::min)
+        };
+        let ends = [room(0.0), room(most)];
+        // A place that has just no room left is the end itself.
+        brent([0.0, most], ends, SHARE, |share| Some(room(share))).unwrap_or(0.0)
+    }
+
     fn refused_at_begin(
         &self,
         place: &CutterPlace,
@@ -131,7 +148,10 @@ impl Limits<'_> {
                 clearance: kept.value,
                 wanted: obstacle.wanted,
             },
-            None => MillingError::ColumnKink { length: position(place), kink: self.middle.0 },
+            None => {
+                let Kink { length: kink, along, .. } = self.middle;
+                MillingError::ColumnKink { length: self.position(place), kink, along }
+            }
         }
     }
 }

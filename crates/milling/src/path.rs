@@ -65,6 +65,8 @@ pub enum Retraction {
         /// Position of its apex on the axis, mm; 0 of bevel gears.
         apex: f64,
     },
+    /// On the side towards -z of a plane across the axis, mm (crown gears, whose teeth point there).
+    Below(f64),
 }
 
 /// A row's path from its cutter locations and contact points.
@@ -116,6 +118,7 @@ pub fn retracted(place: &CutterPlace, out: Retraction) -> Result<CutterPlace, Mi
     let (tip, axis) = (&place.tip, &place.axis);
     // Quadratic a x^2 + 2 b x + c = 0 for the way x along the axis; out where `sense` times it is positive.
     let (a, b, c, sense) = match out {
+        Retraction::Below(plane) => return below(place, plane),
         Retraction::Outside(radius) | Retraction::Inside(radius) => {
             let (t, d) = (tip.xy(), axis.xy());
             let sense = if matches!(out, Retraction::Outside(_)) { 1.0 } else { -1.0 };
@@ -146,5 +149,16 @@ pub fn retracted(place: &CutterPlace, out: Retraction) -> Result<CutterPlace, Mi
     let q = -(b + root.sqrt().copysign(b));
     let ahead = [q / a, c / q].into_iter().filter(|x| x.is_finite() && *x > 0.0).reduce(f64::min);
     let way = ahead.ok_or(no_way)?;
+    Ok(CutterPlace { tip: tip + axis * way, contact: None, ..*place })
+}
+
+/// The place at which the tip passes a plane across the workpiece's axis towards -z.
+fn below(place: &CutterPlace, plane: f64) -> Result<CutterPlace, MillingError> {
+    let CutterPlace { tip, axis, .. } = place;
+    let rest = (tip.z - plane).max(0.0);
+    if rest > 0.0 && axis.z >= 0.0 {
+        return Err(MillingError::NoRetraction { tip: (*tip).into(), axis: (*axis).into() });
+    }
+    let way = if rest > 0.0 { -rest / axis.z } else { 0.0 };
     Ok(CutterPlace { tip: tip + axis * way, contact: None, ..*place })
 }

@@ -61,7 +61,7 @@ impl PlanOptions {
 
     /// How the axis is turned on a flank: halves are mirror images of each other, and so is the axis that is turned about the normal.
     pub(super) fn orientation_on(&self, side: MilledSide) -> Orientation {
-        let sense = if side.half == Some(Half::Lower) { -1.0 } else { 1.0 };
+        let sense = side.half.map_or(1.0, Half::sign);
         Orientation { lead_angle: sense * self.orientation.lead_angle, ..self.orientation }
     }
 }

@@ -90,13 +90,13 @@ impl RowPaths<'_> {
         let path = row_path(locations.iter().copied().zip(contacts));
         let Some(limits) = self.limits() else { return Ok((Ended { path, at: None }, None)) };
         let ended = limits.end(path, row)?;
-        let (_, side) = limits.middle;
+        let side = limits.middle.side;
         let end = ended.at.and_then(|at| {
             let before = (at as usize).min(self.columns.len() - 2);
             let [from, to] = [before, before + 1].map(|column| self.columns[column].lead.u);
             let places = &ended.path.places;
             let last = if side > 0.0 { places.first() } else { places.last() };
-            let length = last?.contact?.z;
+            let length = limits.middle.position(&last?.contact?);
             let [least, greatest] = self.flank.active.face;
             let short = if side > 0.0 { length - least } else { greatest - length };
             (short > SHORT).then_some(RowEnd { u: from + (to - from) * (at - before as f64), length })
@@ -114,7 +114,7 @@ impl RowPaths<'_> {
         let normal = |column: Option<&Column>| column.map(|column| column.places[row].jet.normal);
         let [first, last] = [normal(self.columns.first()), normal(self.columns.last())];
         match (ended.at, self.flank.active.kink) {
-            (Some(_), Some((_, side))) => [first.filter(|_| side < 0.0), last.filter(|_| side > 0.0)],
+            (Some(_), Some(kink)) => [first.filter(|_| kink.side < 0.0), last.filter(|_| kink.side > 0.0)],
             _ => [first, last],
         }
     }

@@ -2,7 +2,7 @@
 //! one for each half.
 
 use super::milled_side::{Half, MilledSide};
-use super::{ActiveFlank, HIDDEN, LeadCurve, Obstacle, Patch, Wall, WallKind};
+use super::{ActiveFlank, Along, HIDDEN, LeadCurve, Obstacle, Patch, Wall, WallKind};
 use foundation::geometry::{Flank, Frustum};
 use std::sync::Arc;
 
@@ -54,7 +54,12 @@ const SEARCHED: f64 = 2.0 * HIDDEN;
 impl SpaceFlank {
     /// Its name among all flanks of the workpiece.
     pub fn side(&self) -> MilledSide {
-        let half = self.active.kink.map(|(_, side)| if side > 0.0 { Half::Upper } else { Half::Lower });
+        let half = self.active.kink.map(|kink| match (kink.along, kink.side > 0.0) {
+            (Along::Axis, true) => Half::Upper,
+            (Along::Axis, false) => Half::Lower,
+            (Along::Rays, true) => Half::Heel,
+            (Along::Rays, false) => Half::Toe,
+        });
         MilledSide { flank: self.side, half }
     }
 

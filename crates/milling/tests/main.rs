@@ -1,6 +1,7 @@
 //! Tests of the crate through its public interface, in one program. Its modules are the tests, and what several of them share.
 
 mod milled_jobs;
+mod milling_bevel;
 mod milling_clamping;
 mod milling_clearance;
 mod milling_conical;

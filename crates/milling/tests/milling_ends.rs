@@ -139,7 +139,7 @@ fn a_column_that_crosses_the_middle_is_refused() {
     let plane = ColumnPlane::new(active, upper.lead.at(-2.0).unwrap());
     let height = active.height_span()[0];
     assert!(
-        matches!(plane.section(height, -2.0), Err(MillingError::ColumnKink { kink: 0.0, length }) if length < 0.0)
+        matches!(plane.section(height, -2.0), Err(MillingError::ColumnKink { kink: 0.0, length, .. }) if length < 0.0)
     );
     let extended = active.extended();
     let plane = ColumnPlane::new(&extended, upper.lead.at(-2.0).unwrap());

@@ -7,8 +7,8 @@ use job::{ProcessJob, Source, parse_job_of};
 use milling::job::{LoadedMillingJob, MillingJob};
 use milling::workflow::{MillingBodies, prepare_milling, run_milling};
 use milling::{
-    ActiveFlank, ColumnPlane, CutterLocation, CutterPlace, DensityLimits, DistanceLimits, HeightRule,
-    HeightWindow, LeadArc, LeadPoint, MillingError, Orientation, RootDepth, RootSection, RowSpacing,
+    ActiveFlank, Along, ColumnPlane, CutterLocation, CutterPlace, DensityLimits, DistanceLimits, HeightRule,
+    HeightWindow, Kink, LeadArc, LeadPoint, MillingError, Orientation, RootDepth, RootSection, RowSpacing,
     approach_arc, dense_grid, lead_range,
 };
 use nalgebra::Vector3;
@@ -215,7 +215,8 @@ fn column_beside_the_flank() -> Case {
 
 fn column_across_the_kink() -> Case {
     let bodies = bodies();
-    let flank = ActiveFlank { kink: Some((0.0, 1.0)), ..bodies.parts[0].flanks[0].active.clone() };
+    let middle = Kink { length: 0.0, side: 1.0, along: Along::Axis };
+    let flank = ActiveFlank { kink: Some(middle), ..bodies.parts[0].flanks[0].active.clone() };
     let [root, _] = flank.height_span();
     let section = |u: f64| {
         let lead = bodies.parts[0].lead.at(u).unwrap();

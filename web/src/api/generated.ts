@@ -5344,7 +5344,7 @@ export interface components {
     OutOfReachResult: {
       /**
        * Format: double
-       * @description Its greatest length along the axis.
+       * @description Its greatest length along the axis, or along the pitch cone.
        */
       length_mm: number;
       /**
@@ -6730,7 +6730,7 @@ export interface components {
       scallop_um?: number | null;
       /**
        * Format: double
-       * @description What the row leaves along the axis because of the other half of a double-helical gear; absent where it leaves nothing.
+       * @description What the row leaves along the axis, or the pitch cone, because of the other half of a double-helical gear; absent where it leaves nothing.
        */
       unmilled_mm?: number | null;
     };

@@ -83,6 +83,7 @@ export const JOB_KEYS_DE: Record<string, string> = {
   width_deg: "Breite",
   apex: "Scheitel",
   gap: "Lücke",
+  middle: "Mitte",
   area: "Aktiver Bereich",
   others: "Weitere",
   line_direction_deg: "Richtung der Linien",

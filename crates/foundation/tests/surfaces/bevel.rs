@@ -6,7 +6,7 @@ use foundation::geometry::{
 };
 use foundation::numerics::brent;
 use nalgebra::{Rotation3, Vector3};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Signed distance of a point from a flank along the flank's normal: Newton on both parameters.
 fn deviation(surface: &dyn Surface, point: &Vector3<f64>, start: [f64; 2]) -> f64 {
@@ -122,12 +122,16 @@ impl Member {
     }
 }
 
+/// The pitch cone angle of 16 teeth beside 24 on axes at a right angle.
+fn right_angle() -> [f64; 2] {
+    let first = 16f64.atan2(24.0);
+    [first, FRAC_PI_2 - first]
+}
+
 /// The largest distance of contact points of the first member from the flank of the second, mm.
-fn worst_of_pair(spiral: Option<(f64, LineForm)>) -> f64 {
+fn worst_of_pair(spiral: Option<(f64, LineForm)>, [delta_1, delta_2]: [f64; 2]) -> f64 {
     let input = &reference()["cases"]["straight_bevel"]["input"];
     let (z_1, z_2) = (16u32, 24u32);
-    let delta_1 = f64::from(z_1).atan2(f64::from(z_2));
-    let delta_2 = PI / 2.0 - delta_1;
     let data = |teeth, pitch_angle, hand| {
         let spiral = spiral.map(|(mean_angle, form)| Spiral { mean_angle, form, hand });
         BevelData { teeth, pitch_angle, spiral, ..bevel_data(input) }
@@ -149,7 +153,9 @@ fn worst_of_pair(spiral: Option<(f64, LineForm)>) -> f64 {
         let pose_1 = first.pose(angle);
         // A tooth of the second stands in the space of the first.
         let pose_2 = second.pose(-angle * f64::from(z_1) / f64::from(z_2) + PI / f64::from(z_2));
-        for distance in [53.0, 58.0, 62.0, 67.0, 71.0] {
+        for share in [0.08, 0.33, 0.53, 0.78, 0.98] {
+            let [toe, heel] = first.gear.face();
+            let distance = toe + share * (heel - toe);
             // Contact: the members roll about the pitch line, so that the normal has no part along that motion.
             let rolling = |omega: f64| {
                 let jet = first.flank.jet(omega, distance);
@@ -171,7 +177,7 @@ fn worst_of_pair(spiral: Option<(f64, LineForm)>) -> f64 {
 
 #[test]
 fn straight_pairs_are_conjugate() {
-    let worst = worst_of_pair(None);
+    let worst = worst_of_pair(None, right_angle());
     assert!(worst < 2e-13, "{worst:e}");
 }
 
@@ -183,8 +189,49 @@ fn spiral_pairs_are_conjugate() {
         LineForm::Straight,
         LineForm::Involute,
     ] {
-        let worst = worst_of_pair(Some((35f64.to_radians(), form)));
+        let worst = worst_of_pair(Some((35f64.to_radians(), form)), right_angle());
         assert!(worst < 2e-13, "{form:?}: {worst:e}");
+    }
+}
+
+/// The pitch cone of the second is a plane, whose teeth the first meets on both sides of it.
+#[test]
+fn crown_gears_are_conjugate_to_their_pinions() {
+    let with_crown = [(16f64 / 24.0).asin(), FRAC_PI_2];
+    for spiral in [None, Some((20f64.to_radians(), LineForm::Circle { radius: 60.0 }))] {
+        let worst = worst_of_pair(spiral, with_crown);
+        assert!(worst < 2e-13, "{spiral:?}: {worst:e}");
+    }
+}
+
+#[test]
+fn a_crown_gear_has_its_pitch_cone_in_a_plane_and_flat_octoids() {
+    let data =
+        BevelData { pitch_angle: FRAC_PI_2, ..bevel_data(&reference()["cases"]["straight_bevel"]["input"]) };
+    let gear = BevelGear::new(data).unwrap();
+    assert!((gear.base_angle() - (FRAC_PI_2 - data.pressure_angle)).abs() < 1e-15);
+    assert!(gear.tip_angle() > FRAC_PI_2 && gear.root_angle() < FRAC_PI_2);
+    // Teeth and spaces are equally wide in the pitch plane, where the involute has its inflection.
+    for side in Flank::BOTH {
+        let involute = SphericalInvolute::new(&gear, side);
+        let roll = gear.roll_angle(FRAC_PI_2).unwrap();
+        let pitch = involute.jet(roll, 30.0);
+        let azimuth = side.sign() * pitch.point.x.atan2(pitch.point.y);
+        assert!(pitch.point.z.abs() < 1e-13 && (azimuth - PI / 32.0).abs() < 1e-14, "{azimuth}");
+        assert!(pitch.normal_by_height.norm() < 1e-14);
+        let [from, to] = gear.heights();
+        let bends = [from, to].map(|omega| {
+            let jet = involute.jet(omega, 30.0);
+            jet.normal_by_height.dot(&jet.by_height)
+        });
+        assert!(bends[0] > 1e-3 && bends[1] < -1e-3, "{bends:?}");
+        let octoid = Octoid::new(&gear, side);
+        let heights = [gear.form_angle(), gear.tip_angle()].map(|angle| octoid.height_of(angle).unwrap());
+        let [low, high] = heights.map(|height| octoid.jet(height, 30.0));
+        assert!((low.normal - high.normal).norm() < 1e-15);
+        assert!((high.point - low.point).dot(&low.normal).abs() < 1e-13);
+        let flat = octoid.jet(0.0, 30.0);
+        assert!((flat.point - pitch.point).norm() < 1e-13 && (flat.normal - pitch.normal).norm() < 1e-13);
     }
 }
 

@@ -8,6 +8,7 @@ use foundation::geometry::{
 use foundation::numerics::{CubicSpline, equidistant};
 use nalgebra::Vector3;
 use serde_json::Value;
+use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 pub fn reference() -> Value {
@@ -129,6 +130,10 @@ pub fn samples() -> Vec<Sample> {
         let heights = [octoid.domain()[0][0] + 0.1, octoid.height_of(0.656).unwrap()];
         add(name, Arc::new(octoid), heights, [50.0, 73.0]);
     }
+    // Its pitch cone is a plane: the involute bends the other way on the tip, the octoid is flat.
+    let crown = BevelGear::new(BevelData { pitch_angle: FRAC_PI_2, ..*straight.data() }).unwrap();
+    add("crown", Arc::new(SphericalInvolute::new(&crown, flank)), [1.3, 2.0], [22.0, 39.0]);
+    add("crown octoid", Arc::new(Octoid::new(&crown, flank)), [-0.15, 0.15], [22.0, 39.0]);
     let spiral = bevel_gear("spiral_bevel");
     add("spiral left", Arc::new(SphericalInvolute::new(&spiral, Flank::Left)), [0.1, 0.75], [66.0, 98.0]);
     let mut data = bevel_data(&input("spiral_bevel"));

@@ -42,7 +42,11 @@ fn a_conical_gear_has_neither_a_mate_nor_a_row_for_its_guide_curve() {
 
 /// A bevel gear with its mate.
 fn with_mate() -> String {
-    let bevel = with_body("bevel");
+    let bevel: String = with_body("bevel")
+        .lines()
+        .filter(|line| !line.starts_with("double_helical"))
+        .map(|line| line.to_owned() + "\n")
+        .collect();
     let mate = with_body("mate");
     let (from, to) = (mate.find("[mate]").unwrap(), mate.find("[target]").unwrap());
     let of_bevel = |line: &&str| !line.starts_with("gear") && !line.starts_with("centre_distance");
@@ -107,6 +111,42 @@ fn a_root_cone_stays_open() {
     let told = (finding.code, finding.field.as_deref(), finding.value.as_deref());
     assert_eq!(told, ("invalid-geometry", Some("bevel.dedendum_factor"), Some("5")), "{error}");
     assert!(finding.span.is_some() && finding.allowed.is_some() && finding.way_out.is_some(), "{error}");
+}
+
+/// Its tip ends where the involute does, on the other side of the pitch plane.
+#[test]
+fn a_crown_gear_has_a_tip_as_far_as_its_flank_goes() {
+    let crown = with_body("bevel")
+        .replace("= 23.1986", "= 90.0")
+        .replace("start_polar_angle_deg = 20.5", "start_polar_angle_deg = 86.0");
+    sound(&crown);
+    let error = read(&crown.replace("addendum_factor = 1.0", "addendum_factor = 5.0")).unwrap_err();
+    let finding = &error.diagnostics[0];
+    let told = (finding.code, finding.field.as_deref(), finding.value.as_deref());
+    assert_eq!(told, ("invalid-geometry", Some("bevel.addendum_factor"), Some("5")), "{error}");
+    let allowed = finding.allowed.as_deref().unwrap_or_default();
+    assert!(allowed.contains("109.99") && finding.span.is_some() && finding.way_out.is_some(), "{error}");
+}
+
+/// Pinion and crown gear know each other, whichever is milled.
+#[test]
+fn the_mate_of_a_pinion_is_a_crown_gear_where_its_teeth_ask_for_it() {
+    // 15 teeth on 30 degrees beside 30 teeth.
+    let mate = with_mate();
+    let own_start = |line: &&str| !line.starts_with("start_polar_angle_deg");
+    let pinion: String = mate.lines().filter(own_start).map(|line| line.to_owned() + "\n").collect();
+    let pinion = pinion.replace("= 23.1986", "= 30.0");
+    let pinion = pinion
+        .replace("teeth = 35", "teeth = 30")
+        .replace("shaft_angle_deg = 90.0", "shaft_angle_deg = 120.0");
+    let job = sound(&pinion);
+    assert_eq!(job.mate.unwrap().conjugate_angle_deg(&job.bevel.unwrap()), Some(90.0));
+    let crown = pinion.replace("= 30.0  ", "= 90.0  ").replace("teeth = 30", "teeth = 7");
+    let job = sound(&crown.replace("teeth = 15", "teeth = 14"));
+    let angle = job.mate.unwrap().conjugate_angle_deg(&job.bevel.unwrap()).unwrap();
+    assert!((angle - 30.0).abs() < 1e-12, "{angle}");
+    let error = read(&pinion.replace("teeth = 30\n", "teeth = 31\n")).unwrap_err();
+    assert_eq!(error.diagnostics[0].field.as_deref(), Some("mate.teeth"), "{error}");
 }
 
 const GEAR_CASES: &[Case] = &[
@@ -848,11 +888,29 @@ const BEVEL_CASES: &[Case] = &[
     ("teeth = 15", "teeth = 0", "invalid-number", "bevel.teeth", &[">= 3"]),
     (
         "pitch_cone_angle_deg = 23.1986",
-        "pitch_cone_angle_deg = 90",
+        "pitch_cone_angle_deg = 90.5",
         "invalid-number",
         "bevel.pitch_cone_angle_deg",
-        &["< 90"],
+        &["90.5", "<= 90"],
     ),
+    ("gap = 3.0", "gap = 25.0", "invalid-geometry", "bevel.double_helical.gap", &["25", "< face_width"]),
+    ("gap = 3.0", "gap = -1.0", "invalid-number", "bevel.double_helical.gap", &[">= 0"]),
+    (
+        "middle = 0.0",
+        "middle = -11.0",
+        "invalid-geometry",
+        "bevel.double_helical.middle",
+        &["-11", "between -11 and 11"],
+    ),
+    (
+        "mean_spiral_angle_deg = 35.0",
+        "mean_spiral_angle_deg = 0.0",
+        "invalid-job",
+        "bevel.double_helical",
+        &["opposite hands", "spiral"],
+    ),
+    ("[cutter]", "[measuring_grid]\n[cutter]", "invalid-job", "measuring_grid", &["bevel.double_helical"]),
+    ("[target]", "[mate]\nteeth = 35\n[target]", "invalid-job", "mate", &["bevel.double_helical"]),
     ("face_width = 25.0", "face_width = 96.0", "invalid-geometry", "bevel.face_width", &["96", "apex"]),
     ("flank = \"spherical-involute\"", "flank = \"octoid\"", "invalid-job", "bevel.spiral", &["octoid"]),
     ("hand = \"right\"", "hand = \"r\"", "unknown-value", "bevel.spiral.hand", &["\"left\", \"right\""]),
@@ -942,7 +1000,7 @@ const GRID_CASES: &[Case] = &[
 
 const MATE_CASES: &[Case] = &[
     ("teeth = 35", "teeth = 2", "invalid-number", "mate.teeth", &[">= 3"]),
-    ("teeth = 35", "teeth = 39", "invalid-job", "mate.teeth", &["39", "< 38.0"]),
+    ("teeth = 35", "teeth = 39", "invalid-job", "mate.teeth", &["39", "<= 38.0"]),
     ("teeth = 35\nshaft_angle_deg = 90.0", "teeth = 34", "invalid-job", "mate.teeth", &["90", "86.4"]),
     (
         "shaft_angle_deg = 90.0",

@@ -17,8 +17,8 @@ pub struct BevelGear {
     /// Number of teeth.
     #[schemars(extend("minimum" = 3, "maximum" = 2000, "x-way-out" = "give the number of teeth of the drawing"))]
     pub teeth: u32,
-    /// Angle of the pitch cone, degrees.
-    #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 90,
+    /// Angle of the pitch cone, degrees; 90 of a crown gear, whose pitch cone is a plane and whose teeth point towards -z.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 90,
         "x-way-out" = "give the pitch cone angle of the drawing in degrees"))]
     pub pitch_cone_angle_deg: f64,
     /// Pressure angle, degrees.
@@ -43,6 +43,10 @@ pub struct BevelGear {
     /// Curved and skew teeth; without it the teeth are straight and point to the apex.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spiral: Option<BevelSpiral>,
+    /// Two halves of opposite hand. That at the heel has `spiral`, with its spiral angle in the middle of the half; `face_width` is that of
+    /// both with the gap.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub double_helical: Option<DoubleHelicalBevel>,
     /// Angle between the axis and the ray from the apex on which the active flank begins, degrees; default 0.12 of the way from root
     /// or base cone, whichever is wider, to the tip cone.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -53,6 +57,19 @@ pub struct BevelGear {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 2, "maximum" = 11, "x-way-out" = "give a class from 2 to 11, or leave it out"))]
     pub tolerance_class: Option<i32>,
+}
+
+/// The halves of a double-helical bevel gear.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DoubleHelicalBevel {
+    /// Where the halves would meet, along the pitch cone from the middle of the face towards the heel; the middle of the gap. mm.
+    #[serde(default)]
+    #[schemars(extend("minimum" = -5000, "maximum" = 5000, "x-way-out" = "give the position in mm; 0, the middle of the face, is the default"))]
+    pub middle: f64,
+    /// Width of the gap between the halves, mm; 0: herringbone teeth.
+    #[schemars(extend("minimum" = 0, "maximum" = 5000, "x-way-out" = "give the width of the gap in mm; 0 for herringbone teeth"))]
+    pub gap: f64,
 }
 
 /// Profile of a bevel tooth.
@@ -146,10 +163,29 @@ impl BevelGear {
         }
     }
 
+    /// Where the halves would meet: distance from the apex, mm.
+    pub fn meeting_distance(&self, halves: &DoubleHelicalBevel) -> f64 {
+        self.outer_cone_distance() - 0.5 * self.face_width + halves.middle
+    }
+
+    /// The half at the heel and that at the toe, rad: each with the ends of its teeth as distances from the apex, mm.
+    pub fn halves(&self, halves: &DoubleHelicalBevel) -> [(BevelData, [f64; 2]); 2] {
+        let (meeting, outer) = (self.meeting_distance(halves), self.outer_cone_distance());
+        let (heel, gap) = (self.data(), 0.5 * halves.gap);
+        let toe = BevelData { spiral: heel.spiral.map(Spiral::reversed), ..heel };
+        [(heel, [meeting + gap, outer]), (toe, [outer - self.face_width, meeting - gap])]
+    }
+
     /// R_e: outer cone distance, mm.
     pub fn outer_cone_distance(&self) -> f64 {
         let sine = self.pitch_cone_angle_deg.to_radians().sin();
         self.outer_transverse_module * f64::from(self.teeth) / (2.0 * sine)
+    }
+
+    /// Angle of the cone on which an involute that began at the base cone ends, degrees: beyond it there is no tip.
+    pub fn end_of_involute_deg(&self) -> f64 {
+        let [pitch, pressure] = [self.pitch_cone_angle_deg, self.pressure_angle_deg].map(f64::to_radians);
+        180.0 - (pitch.sin() * pressure.cos()).asin().to_degrees()
     }
 
     /// Angles of root cone and tip cone, degrees.

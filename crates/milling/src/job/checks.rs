@@ -1,6 +1,7 @@
 //! Contradictions between entries of a job of five-axis milling that are each in range; what it shares with other processes is
 //! checked by their code. Knows the job, no geometry beyond the order of sizes.
 
+mod bevel;
 mod bodies;
 mod contact;
 mod cutters;
@@ -10,7 +11,7 @@ mod shop;
 
 use super::MillingJob;
 use job::checks::{clamping_bodies, contradiction, name};
-use job::{Diagnostic, Problem};
+use job::{Diagnostic, Problem, shown_number};
 
 /// All contradictions in a job; without places, which the caller knows.
 pub(crate) fn check(job: &MillingJob) -> Vec<Diagnostic> {
@@ -50,6 +51,24 @@ fn rays(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
             "use fewer rays, e.g. 81 x 61",
         ));
     }
+}
+
+/// A value that makes no body.
+fn impossible(
+    message: String,
+    field: &str,
+    value: f64,
+    allowed: String,
+    way_out: &str,
+    findings: &mut Vec<Diagnostic>,
+) {
+    findings.push(
+        Diagnostic::new(Problem::InvalidGeometry, message)
+            .field(field)
+            .value(shown_number(value))
+            .allowed(allowed)
+            .way_out(way_out),
+    );
 }
 
 /// Of several keys exactly one: none is missing, each further one a contradiction.

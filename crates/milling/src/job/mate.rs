@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{BevelGear, EaseOffAmounts};
-use foundation::geometry::{BevelData, Hand, Spiral};
+use foundation::geometry::{BevelData, Spiral};
 use job::tables::{Gear, Modification};
 
 /// The mate of a gear. That of `[bevel]` is conjugate, by `teeth`: module, face, proportions and flank line are those of the gear, its
@@ -18,9 +18,9 @@ pub struct Mate {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 3, "maximum" = 2000, "x-way-out" = "give the number of teeth of the mating gear"))]
     pub teeth: Option<u32>,
-    /// Angle of its pitch cone, degrees.
+    /// Angle of its pitch cone, degrees; 90 of a crown gear.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 90,
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 90,
         "x-way-out" = "give the pitch cone angle of the mating gear in degrees, or leave it out"))]
     pub pitch_cone_angle_deg: Option<f64>,
     /// Angle between both axes, degrees.
@@ -55,6 +55,10 @@ pub struct Mate {
 /// By how much given angles may miss those that the numbers of teeth ask for, degrees: drawings round them.
 const ROUNDED_DEG: f64 = 0.01;
 
+/// By which share the sine of a pitch cone angle may be off 1 so that the gear is a crown gear: near 90 degrees the angle tells little of
+/// the sine, and a pitch cone angle of the other gear that is rounded to a ten-thousandth of a degree is off by as much.
+const CROWN: f64 = 2e-6;
+
 /// An angle of a mate that does not fit its teeth, degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct MisfitAngle {
@@ -64,25 +68,24 @@ pub(super) struct MisfitAngle {
 }
 
 impl Mate {
-    /// The pitch cone angle with which both gears roll on one pitch line, degrees; `None` if there is none below 90
+    /// The pitch cone angle with which both gears roll on one pitch line, degrees; `None` if there is none up to 90
     /// or no number of teeth.
     pub fn conjugate_angle_deg(&self, bevel: &BevelGear) -> Option<f64> {
         let sine =
             f64::from(self.teeth?) / f64::from(bevel.teeth) * bevel.pitch_cone_angle_deg.to_radians().sin();
+        if (sine - 1.0).abs() <= CROWN {
+            return Some(90.0);
+        }
         (sine < 1.0).then(|| sine.asin().to_degrees())
     }
 
     /// Its drawing, rad; `None` as [`Self::conjugate_angle_deg`].
     pub fn data(&self, bevel: &BevelGear) -> Option<BevelData> {
         let gear = bevel.data();
-        let opposite = |spiral: Spiral| Spiral {
-            hand: if spiral.hand == Hand::Right { Hand::Left } else { Hand::Right },
-            ..spiral
-        };
         Some(BevelData {
             teeth: self.teeth?,
             pitch_angle: self.conjugate_angle_deg(bevel)?.to_radians(),
-            spiral: gear.spiral.map(opposite),
+            spiral: gear.spiral.map(Spiral::reversed),
             form_angle: None,
             ..gear
         })

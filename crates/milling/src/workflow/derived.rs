@@ -28,6 +28,10 @@ pub fn of_milling(loaded: &LoadedMillingJob) -> Result<DerivedGeometry, RunFailu
             (Some(Half::Upper), Flank::Right) => "right flank of the upper half",
             (Some(Half::Lower), Flank::Left) => "left flank of the lower half",
             (Some(Half::Lower), Flank::Right) => "right flank of the lower half",
+            (Some(Half::Heel), Flank::Left) => "left flank of the half at the heel",
+            (Some(Half::Heel), Flank::Right) => "right flank of the half at the heel",
+            (Some(Half::Toe), Flank::Left) => "left flank of the half at the toe",
+            (Some(Half::Toe), Flank::Right) => "right flank of the half at the toe",
         });
         let [[root, tip], [low, high], [from, to]] = [flank.heights, flank.radii, flank.lead];
         derived.quantity("height_at_root", "height parameter at the root", root, "");

@@ -1,6 +1,6 @@
 //! Errors of milling as findings on keys of the job.
 
-use crate::MillingError;
+use crate::{Along, MillingError};
 use job::Diagnostic;
 use run::{RunFailure, geometry_finding};
 
@@ -20,7 +20,8 @@ pub fn failure(error: &MillingError) -> RunFailure {
         | MillingError::RootOverlap { .. }
         | MillingError::RootBottom { .. } => ("milling.root", false),
         MillingError::Approach { .. } => ("milling.lead_in", false),
-        MillingError::ColumnKink { .. } => ("gear.double_helical", false),
+        MillingError::ColumnKink { along: Along::Axis, .. } => ("gear.double_helical", false),
+        MillingError::ColumnKink { along: Along::Rays, .. } => ("bevel.double_helical", false),
         MillingError::ToolShort { .. } => ("cutter.cutting_length", false),
         MillingError::RoughingNowhere { .. } => ("milling.roughing", false),
         MillingError::ColumnNoSection { .. } => ("milling.overrun", false),

@@ -1,7 +1,7 @@
 //! The milled part as a closed body: teeth all around, swept along their length with a bore or a rim; of blades the milled side of each.
 
 use super::prepare::MillingBodies;
-use crate::{Space, SpaceFlank};
+use crate::{Along, Space, SpaceFlank};
 use foundation::numerics::{equidistant, extremes};
 use nalgebra::{Rotation3, Vector3};
 use scene::mesh::{MeshError, PatchSide, Section, TriangleMesh, patch, swept};
@@ -106,7 +106,7 @@ impl<'a> Stretch<'a> {
     /// The section at a length of teeth that go from one to the other of `ends`.
     fn section(&self, length: f64, [from, to]: [f64; 2]) -> Section {
         // The blank's section goes round from the tip at the first end to bore or rim there.
-        let [_, _, [end, _], [start, _]] = self.bodies.blank;
+        let [_, _, last, first] = self.bodies.blank;
         let of = |flank: &SpaceFlank| -> Vec<Vector3<f64>> {
             let heights = equidistant(flank.active.height_span(), self.along_height);
             heights.into_iter().map(|a| flank.active.surface.point(a, length)).collect()
@@ -115,7 +115,7 @@ impl<'a> Stretch<'a> {
         // Down one flank, along the root body, up the other one.
         let root = self.space.lead.at(length).map(|lead| lead.point);
         let foot = |point: &Vector3<f64>| match &root {
-            Ok(root) => at_radius(point, root.xy().norm()),
+            Ok(root) => at_radius(&Vector3::new(point.x, point.y, root.z), root.xy().norm()),
             Err(_) => *point,
         };
         let mut space: Vec<Vector3<f64>> = left.iter().rev().copied().collect();
@@ -129,8 +129,8 @@ impl<'a> Stretch<'a> {
             space.iter().map(move |point| turn * point).collect::<Vec<_>>()
         });
         let teeth: Vec<Vector3<f64>> = around.collect();
-        let height = teeth.iter().map(|p| p.z).sum::<f64>() / teeth.len() as f64;
-        let radius = start + (end - start) * (length - from) / (to - from);
+        let share = (length - from) / (to - from);
+        let [radius, height] = [0, 1].map(|k| first[k] + (last[k] - first[k]) * share);
         let circle: Vec<Vector3<f64>> = (0..AROUND)
             .map(|k| {
                 let (sin, cos) = (TAU * k as f64 / AROUND as f64).sin_cos();
@@ -149,8 +149,11 @@ impl<'a> Stretch<'a> {
         start > tip
     }
 
-    /// The floor of the gap beside a section, moved along the axis: its teeth pressed flat.
+    /// The floor of the gap beside a section, moved along the teeth: its teeth pressed flat.
     fn groove(&self, section: &Section, along: f64) -> Section {
+        if self.left.active.kink.is_some_and(|kink| kink.along == Along::Rays) {
+            return conical_groove(section, along);
+        }
         let teeth = if self.is_internal() { &section.holes[0] } else { &section.outline };
         let [least, greatest] = extremes(teeth.iter().map(|point| point.xy().norm()));
         let depth = greatest - least;
@@ -166,6 +169,23 @@ impl<'a> Stretch<'a> {
             outline: section.outline.iter().map(outer).collect(),
             holes: section.holes.iter().map(|hole| hole.iter().map(inner).collect()).collect(),
         }
+    }
+}
+
+/// The floor of the gap of a bevel gear: its teeth pressed towards the axis on their sphere about the apex.
+fn conical_groove(section: &Section, along: f64) -> Section {
+    let polar = |point: &Vector3<f64>| point.xy().norm().atan2(point.z);
+    let [least, greatest] = extremes(section.outline.iter().map(polar));
+    let depth = greatest - least;
+    let moved = |point: &Vector3<f64>| point * (1.0 + along / point.norm());
+    let flat = |point: &Vector3<f64>| {
+        let (sin, cos) = (least - GROOVE * depth + PRESSED * (polar(point) - least)).sin_cos();
+        let distance = point.norm();
+        moved(&at_radius(&Vector3::new(point.x, point.y, distance * cos), distance * sin))
+    };
+    Section {
+        outline: section.outline.iter().map(flat).collect(),
+        holes: section.holes.iter().map(|hole| hole.iter().map(moved).collect()).collect(),
     }
 }
 

@@ -5,7 +5,7 @@ use super::finding::failure;
 use super::prepare::MillingBodies;
 use super::referee::DEPTH;
 use crate::{MilledSide, MillingPlan, RootPart, Space, SpaceFlank, WallKind, drawn_root};
-use foundation::geometry::Surface;
+use foundation::geometry::{Frustum, Surface};
 use foundation::numerics::equidistant;
 use nalgebra::{Rotation3, Vector3};
 use referee::NormalRay;
@@ -236,8 +236,11 @@ fn drawn_below(bodies: &MillingBodies, space: &Space, face: [f64; 2]) -> Result<
 
 /// Where on the body between the teeth a place lies, from one end to the other.
 fn share_at(bodies: &MillingBodies, point: &Vector3<f64>) -> f64 {
-    let [from, to] = bodies.floor.positions;
-    ((point.z - from) / (to - from)).clamp(0.0, 1.0)
+    let Frustum { radii, positions, .. } = bodies.floor;
+    // Along its meridian: the root cone of a crown gear is nearly a plane across the axis.
+    let way = [radii[1] - radii[0], positions[1] - positions[0]];
+    let from = [point.xy().norm() - radii[0], point.z - positions[0]];
+    ((from[0] * way[0] + from[1] * way[1]) / (way[0] * way[0] + way[1] * way[1])).clamp(0.0, 1.0)
 }
 
 fn floor_rays(bodies: &MillingBodies, space: &Space, along: usize) -> Result<Vec<PartRay>, RunFailure> {

@@ -2,7 +2,7 @@
 
 use super::finding::failure;
 use super::prepare::MillingBodies;
-use crate::{FlankModel, FlankPlan, Half, MilledSide, MillingError, MillingPlan, OperationKind, Prediction};
+use crate::{FlankModel, FlankPlan, MilledSide, MillingError, MillingPlan, OperationKind, Prediction};
 use foundation::geometry::Cutter;
 use foundation::numerics::{Progress, equidistant};
 use rayon::prelude::*;
@@ -190,13 +190,7 @@ pub(super) fn predict(
     let places: Vec<(f64, f64)> =
         heights.iter().flat_map(|&a| lengths.iter().map(move |&b| (a, b))).collect();
     // As far as a tool is wide beside the end of a row the cutter of the other half takes some of what is left.
-    let beyond = 2.0
-        * cutter.shape().radius()
-        * match flank.side.half {
-            Some(Half::Upper) => -1.0,
-            Some(Half::Lower) => 1.0,
-            None => 0.0,
-        };
+    let beyond = 2.0 * cutter.shape().radius() * flank.side.half.map_or(0.0, |half| -half.sign());
     let face = active.face;
     let of_place = |&(a, b): &(f64, f64)| -> Result<Option<Prediction>, MillingError> {
         let alone = flank.reaches(a, b)? && flank.reaches(a, (b + beyond).clamp(face[0], face[1]))?;

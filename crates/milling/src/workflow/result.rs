@@ -197,7 +197,7 @@ pub struct FlankResult {
 /// The part of a flank towards the middle of a double-helical gear that the cutter does not reach.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct OutOfReachResult {
-    /// Its greatest length along the axis.
+    /// Its greatest length along the axis, or along the pitch cone.
     pub length_mm: f64,
     /// The row that it is found on.
     pub row: usize,
@@ -239,7 +239,7 @@ pub struct RowResult {
     pub axis_out_of_plane_deg: f64,
     /// Least curvature of the gap between cutter and flank.
     pub opening_per_mm: f64,
-    /// What the row leaves along the axis because of the other half of a double-helical gear; absent where it leaves nothing.
+    /// What the row leaves along the axis, or the pitch cone, because of the other half of a double-helical gear; absent where it leaves nothing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unmilled_mm: Option<f64>,
 }

@@ -199,6 +199,16 @@ impl FlankLine {
         }
     }
 
+    /// The same line, turned so that Theta is 0 at a distance of its domain.
+    pub(super) fn through(mut self, distance: f64) -> Self {
+        match &mut self {
+            Self::Straight | Self::Spline(_) => {}
+            Self::Circular(line) => line.mean_angle = line.angle_at(distance),
+            Self::Tangent(line) => line.turn_to(distance),
+        }
+        self
+    }
+
     /// Whether the line covers a face.
     ///
     /// # Errors
@@ -259,4 +269,11 @@ pub struct Spiral {
     pub form: LineForm,
     /// Hand of the spiral.
     pub hand: Hand,
+}
+
+impl Spiral {
+    /// The same line of the other hand, as the mate has it.
+    pub fn reversed(self) -> Self {
+        Self { hand: if self.hand == Hand::Right { Hand::Left } else { Hand::Right }, ..self }
+    }
 }

@@ -17,7 +17,7 @@ pub struct BevelData {
     pub outer_transverse_module: f64,
     /// Number of teeth.
     pub teeth: u32,
-    /// delta: pitch cone angle.
+    /// delta: pitch cone angle, 90 deg for a crown gear.
     pub pitch_angle: f64,
     /// alpha: pressure angle.
     pub pressure_angle: f64,
@@ -38,6 +38,10 @@ pub struct BevelData {
 pub struct BevelGear {
     data: BevelData,
     outer_distance: f64,
+    /// Ends of the teeth, their width and their middle.
+    face: [f64; 2],
+    width: f64,
+    mean_distance: f64,
     base_angle: f64,
     tip_angle: f64,
     root_angle: f64,
@@ -50,7 +54,8 @@ pub struct BevelGear {
 
 /// inv_s(xi) on the sphere of a base cone: by how much the spherical involute has moved round the axis, rad.
 fn spherical_involute_function(xi: f64, sin_base: f64) -> f64 {
-    xi / sin_base - (xi.tan() / sin_base).atan()
+    // On the tip of a crown gear xi is above 90 deg.
+    xi / sin_base - xi.sin().atan2(sin_base * xi.cos())
 }
 
 impl BevelData {
@@ -83,12 +88,11 @@ impl BevelData {
         let m = self.outer_transverse_module;
         number("outer_transverse_module", m, m > 0.0, "> 0 mm")?;
         number("teeth", f64::from(self.teeth), self.teeth > 0, "at least 1")?;
+        let (pitch, pressure) = (self.pitch_angle, self.pressure_angle);
+        let up_to_crown = pitch > 0.0 && pitch <= FRAC_PI_2;
+        number("pitch_angle_deg", pitch.to_degrees(), up_to_crown, "above 0 and up to 90 deg")?;
         let between = "between 0 and 90 deg, both excluded";
-        for (field, angle) in
-            [("pitch_angle_deg", self.pitch_angle), ("pressure_angle_deg", self.pressure_angle)]
-        {
-            number(field, angle.to_degrees(), angle > 0.0 && angle < FRAC_PI_2, between)?;
-        }
+        number("pressure_angle_deg", pressure.to_degrees(), pressure > 0.0 && pressure < FRAC_PI_2, between)?;
         number("face_width", self.face_width, self.face_width > 0.0, "> 0 mm")?;
         number("addendum_factor", self.addendum_factor, self.addendum_factor > 0.0, "> 0")?;
         number("dedendum_factor", self.dedendum_factor, self.dedendum_factor > 0.0, "> 0")?;
@@ -104,7 +108,8 @@ impl BevelData {
             }
         }
         if let Some(angle) = self.form_angle {
-            number("form_angle_deg", angle.to_degrees(), angle > 0.0 && angle < FRAC_PI_2, between)?;
+            let between = "between 0 and 180 deg, both excluded";
+            number("form_angle_deg", angle.to_degrees(), angle > 0.0 && angle < PI, between)?;
         }
         Ok(())
     }
@@ -118,6 +123,19 @@ impl BevelGear {
     /// [`GeometryError::BelowBaseCone`] and [`GeometryError::FlankLineOutOfReach`] (`E_GEOM_BASE`),
     /// [`GeometryError::BevelToothPointed`] (`E_GEOM_POINTED`).
     pub fn new(data: BevelData) -> Result<Self, GeometryError> {
+        Self::over(data, None)
+    }
+
+    /// One of two halves of opposite hand: teeth between two distances of the face of `data`. Its flank line has the mean spiral angle in the
+    /// middle of the half, and meets that of the other half, if both went on, at the distance `meeting`. mm.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`].
+    pub fn half(data: BevelData, face: [f64; 2], meeting: f64) -> Result<Self, GeometryError> {
+        Self::over(data, Some((face, meeting)))
+    }
+
+    fn over(data: BevelData, half: Option<([f64; 2], f64)>) -> Result<Self, GeometryError> {
         data.check()?;
         let geometry = |what: &str, value, good, allowed: &str| {
             if good {
@@ -132,10 +150,21 @@ impl BevelGear {
         geometry("cone distance at the heel", outer, outer.is_finite(), "a finite length")?;
         let inner = outer - data.face_width;
         geometry("cone distance at the toe", inner, inner > 0.0, "> 0 mm: a face that ends before the apex")?;
+        let mut face = [inner, outer];
+        let (mut width, mut mean) = (data.face_width, outer - data.face_width / 2.0);
+        if let Some((ends, _)) = half {
+            let [from, to] = ends;
+            let whole = format!("two ends that ascend between {inner} and {outer} mm");
+            geometry("begin of a half of the face", from, from >= inner && from < to && to <= outer, &whole)?;
+            (face, width, mean) = (ends, to - from, 0.5 * (from + to));
+        }
         let base_angle = (delta.sin() * data.pressure_angle.cos()).asin();
         let tip_angle = delta + (data.addendum_factor * data.outer_transverse_module / outer).atan();
         let root_angle = delta - (data.dedendum_factor * data.outer_transverse_module / outer).atan();
-        geometry("tip cone angle in degrees", tip_angle.to_degrees(), tip_angle < FRAC_PI_2, "below 90 deg")?;
+        // Beyond the plane through the apex the involute goes on to the base cone that faces the other way.
+        let beyond = PI - base_angle;
+        let allowed = format!("below {:.4} deg, where the involute ends", beyond.to_degrees());
+        geometry("tip cone angle in degrees", tip_angle.to_degrees(), tip_angle < beyond, &allowed)?;
         geometry("root cone angle in degrees", root_angle.to_degrees(), root_angle > 0.0, "> 0 deg")?;
         let lowest = root_angle.max(base_angle);
         let form_angle = data.form_angle.unwrap_or(lowest + FORM_SHARE * (tip_angle - lowest));
@@ -152,7 +181,6 @@ impl BevelGear {
         let line = match data.spiral {
             None => FlankLine::Straight,
             Some(spiral) => {
-                let mean = outer - data.face_width / 2.0;
                 let circular = |radius: f64, groups: f64| {
                     let rolling = groups * delta.sin() / teeth;
                     CircularLine::new(&spiral, (radius, rolling), mean, delta).map(FlankLine::Circular).ok_or(
@@ -175,10 +203,20 @@ impl BevelGear {
                 }
             }
         };
-        line.check([inner, outer])?;
+        line.check(face)?;
+        let line = match half {
+            None => line,
+            Some((_, meeting)) => {
+                line.check([meeting; 2])?;
+                line.through(meeting)
+            }
+        };
         let mut gear = Self {
             data,
             outer_distance: outer,
+            face,
+            width,
+            mean_distance: mean,
             base_angle,
             tip_angle,
             root_angle,
@@ -207,14 +245,19 @@ impl BevelGear {
         self.outer_distance
     }
 
-    /// R_m: cone distance at the middle of the face, mm.
+    /// R_m: cone distance at the middle of the face, or of that of a half, mm.
     pub fn mean_distance(&self) -> f64 {
-        self.outer_distance - self.data.face_width / 2.0
+        self.mean_distance
     }
 
-    /// Distances from the apex at toe and heel, mm.
+    /// Distances from the apex at toe and heel of the gear, or at both ends of a half, mm.
     pub fn face(&self) -> [f64; 2] {
-        [self.outer_distance - self.data.face_width, self.outer_distance]
+        self.face
+    }
+
+    /// Width of the teeth between them, mm.
+    pub fn width(&self) -> f64 {
+        self.width
     }
 
     /// delta_b: angle of the base cone, rad.
@@ -260,16 +303,16 @@ impl BevelGear {
     /// omega(theta): roll angle of the flank at a polar angle, rad.
     ///
     /// # Errors
-    /// [`GeometryError::BelowBaseCone`] below the base cone and for angles above 90 deg (`E_GEOM_BASE` of
+    /// [`GeometryError::BelowBaseCone`] below the base cone and beyond the one that faces it (`E_GEOM_BASE` of
     /// `docs/mathematics/milling.md#limits`).
     pub fn roll_angle(&self, polar_angle: f64) -> Result<f64, GeometryError> {
-        if !(self.base_angle..=FRAC_PI_2).contains(&polar_angle) {
+        if !(self.base_angle..=PI - self.base_angle).contains(&polar_angle) {
             return Err(GeometryError::BelowBaseCone {
                 angle_deg: polar_angle.to_degrees(),
                 base_angle_deg: self.base_angle.to_degrees(),
             });
         }
-        // cos theta > cos delta_b by rounding only.
-        Ok((polar_angle.cos() / self.base_angle.cos()).min(1.0).acos() / self.base_angle.sin())
+        // |cos theta| > cos delta_b by rounding only.
+        Ok((polar_angle.cos() / self.base_angle.cos()).clamp(-1.0, 1.0).acos() / self.base_angle.sin())
     }
 }

@@ -7,7 +7,7 @@ use crate::geometry::surface::bounds::{largest, largest_cosine, largest_sine, re
 use crate::geometry::surface::turned;
 use crate::geometry::{Flank, GeometryError, OffsetBase, SecondOrder, Surface, SurfaceJet};
 use nalgebra::Vector3;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::PI;
 
 /// One flank of a bevel gear's tooth space.
 #[derive(Clone, Debug, PartialEq)]
@@ -119,9 +119,9 @@ impl SphericalInvolute {
 }
 
 impl Surface for SphericalInvolute {
-    /// From the base cone to the plane through the apex.
+    /// From the base cone through the plane at the apex to the base cone that faces it.
     fn domain(&self) -> [[f64; 2]; 2] {
-        [[0.0, FRAC_PI_2 / self.sin_base], self.line.domain()]
+        [[0.0, PI / self.sin_base], self.line.domain()]
     }
 
     #[inline]

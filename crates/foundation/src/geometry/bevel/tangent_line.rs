@@ -14,7 +14,7 @@ pub struct TangentLine {
     /// e.
     radius: f64,
     involute: bool,
-    /// phi in the middle of the face.
+    /// phi where the turn is 0.
     mean_angle: f64,
 }
 
@@ -25,6 +25,11 @@ impl TangentLine {
         let mut line = Self { scale, radius, involute, mean_angle: 0.0 };
         line.mean_angle = line.developed(mean_distance);
         line
+    }
+
+    /// Lets the turn be 0 at R.
+    pub(super) fn turn_to(&mut self, distance: f64) {
+        self.mean_angle = self.developed(distance);
     }
 
     /// e, mm.

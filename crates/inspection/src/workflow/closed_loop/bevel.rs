@@ -58,6 +58,15 @@ impl MilledBevel {
             let finding = Diagnostic::new(Problem::MissingKey, text).field("bevel");
             return Err(RunFailure::bad_input(finding.way_out("give the job of a bevel gear")));
         };
+        if given.double_helical.is_some() {
+            let text = "a double-helical gear has two flank lines, which no file tells apart";
+            let finding = Diagnostic::new(Problem::InvalidJob, text).field("bevel.double_helical");
+            return Err(RunFailure::bad_input(
+                finding
+                    .allowed("a [bevel] whose flanks reach from toe to heel")
+                    .way_out("give the job of such a gear"),
+            ));
+        }
         let (gear, wanted) = wanted_bevel(&loaded, given)?;
         let prepared = prepare_milling(&loaded)?;
         progress.start("plan", 1);

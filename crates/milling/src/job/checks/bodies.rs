@@ -1,10 +1,7 @@
 //! The workpiece and what is wanted of it: one body, and a target that fits it.
 
-use super::exactly_one;
-use crate::job::{
-    BevelFlank, BevelGear, BevelSpiral, Blade, FourDigits, GridGear, MillingGear, MillingJob, NacaBlade,
-    SpiralLine,
-};
+use super::{bevel, exactly_one, impossible};
+use crate::job::{Blade, FourDigits, GridGear, MillingGear, MillingJob, NacaBlade};
 use job::checks::{contradiction, drawing};
 use job::tables::Flanks;
 use job::{Diagnostic, Problem, shown_number};
@@ -26,7 +23,7 @@ pub(super) fn check(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
         gear(body, findings);
     }
     if let Some(body) = &job.bevel {
-        bevel(body, findings);
+        bevel::check(body, findings);
     }
     if let Some(body) = &job.blade {
         blade(body, job.milling.flanks, findings);
@@ -82,23 +79,6 @@ fn grid_gear(gear: &GridGear, findings: &mut Vec<Diagnostic>) {
 /// Half angle of the flattest cone, degrees.
 const FLATTEST_DEG: f64 = 85.0;
 
-fn impossible(
-    message: String,
-    field: &str,
-    value: f64,
-    allowed: String,
-    way_out: &str,
-    findings: &mut Vec<Diagnostic>,
-) {
-    findings.push(
-        Diagnostic::new(Problem::InvalidGeometry, message)
-            .field(field)
-            .value(shown_number(value))
-            .allowed(allowed)
-            .way_out(way_out),
-    );
-}
-
 fn gear(gear: &MillingGear, findings: &mut Vec<Diagnostic>) {
     drawing(&gear.drawing, findings);
     let cone = gear.drawing.cone_angle_deg;
@@ -142,101 +122,6 @@ fn gear(gear: &MillingGear, findings: &mut Vec<Diagnostic>) {
             "count from the middle of the face towards +z; both halves and the gap lie within `face_width`",
             findings,
         );
-    }
-}
-
-fn bevel(bevel: &BevelGear, findings: &mut Vec<Diagnostic>) {
-    let outer = bevel.outer_cone_distance();
-    if bevel.face_width >= outer {
-        impossible(
-            format!("teeth of a width of {} reach to the apex", bevel.face_width),
-            "bevel.face_width",
-            bevel.face_width,
-            format!("< {}, the outer cone distance", shown_number(outer)),
-            "compare module, teeth, cone angle and face width with the drawing",
-            findings,
-        );
-    }
-    if bevel.flank == BevelFlank::Octoid && bevel.spiral.is_some() {
-        findings.push(contradiction(
-            "octoid teeth are straight",
-            "bevel.spiral",
-            "a table beside flank = \"octoid\"".into(),
-            "no key, or flank = \"spherical-involute\"",
-            "leave `spiral` out, or take the spherical involute",
-        ));
-    }
-    if let Some(spiral) = &bevel.spiral {
-        flank_line(spiral, findings);
-    }
-    let [root, tip] = bevel.cone_angles_deg();
-    if root <= 0.0 {
-        impossible(
-            format!("the root cone has an angle of {root:.4} degrees"),
-            "bevel.dedendum_factor",
-            bevel.dedendum_factor,
-            "a dedendum with which the root cone stays open".into(),
-            "compare pitch cone angle, teeth and dedendum with the drawing",
-            findings,
-        );
-        return;
-    }
-    if let Some(start) = bevel.start_polar_angle_deg
-        && !(root..tip).contains(&start)
-    {
-        impossible(
-            format!("the active flank begins at {start} degrees, not between root and tip"),
-            "bevel.start_polar_angle_deg",
-            start,
-            format!(
-                "from {} (root cone) to below {} (tip cone) degrees",
-                shown_number(root),
-                shown_number(tip)
-            ),
-            "give an angle between both cones, or leave it out",
-            findings,
-        );
-    }
-}
-
-/// What a flank line needs and what it has no use for.
-fn flank_line(spiral: &BevelSpiral, findings: &mut Vec<Diagnostic>) {
-    let of_head = spiral.line.of_head();
-    let hobbed = spiral.line == SpiralLine::Epicycloid;
-    for (key, given, needed, what) in [
-        ("cutter_radius", spiral.cutter_radius.is_some(), of_head, "the radius of its cutter head"),
-        (
-            "blade_groups",
-            spiral.blade_groups.is_some(),
-            hobbed,
-            "the number of blade groups of its cutter head",
-        ),
-    ] {
-        let field = format!("bevel.spiral.{key}");
-        if needed && !given {
-            findings.push(
-                Diagnostic::new(Problem::MissingKey, format!("the flank line needs {what}"))
-                    .field(field)
-                    .allowed(if hobbed && key == "blade_groups" {
-                        "a whole number, 1 or more"
-                    } else {
-                        "a radius in mm"
-                    })
-                    .way_out(format!("add `{key}`")),
-            );
-        } else if given && !needed {
-            findings.push(contradiction(
-                &format!("this flank line does not come from {what}"),
-                field,
-                "a value".into(),
-                if key == "blade_groups" {
-                    "no key but with line = \"epicycloid\""
-                } else {
-                    "no key with line = \"skew\" or \"involute\""
-                },
-                "leave it out, or name the line that it belongs to",
-            ));
-        }
     }
 }
 

@@ -134,6 +134,15 @@ fn cylindrical(mate: &Mate, own: &MillingGear, findings: &mut Vec<Diagnostic>) {
 }
 
 fn conical(mate: &Mate, bevel: &BevelGear, findings: &mut Vec<Diagnostic>) {
+    if bevel.double_helical.is_some() {
+        findings.push(contradiction(
+            "the halves of a double-helical gear are not rolled together",
+            "mate",
+            "a table beside bevel.double_helical".into(),
+            "no table with bevel.double_helical",
+            "roll a half as a job of its own, with the cones of the gear, the face of that half and its hand",
+        ));
+    }
     let Some(teeth) = mate.teeth else {
         missing(
             "mate.teeth",
@@ -156,10 +165,10 @@ fn conical(mate: &Mate, bevel: &BevelGear, findings: &mut Vec<Diagnostic>) {
     if mate.conjugate_angle_deg(bevel).is_none() {
         let most = f64::from(bevel.teeth) / bevel.pitch_cone_angle_deg.to_radians().sin();
         findings.push(contradiction(
-            &format!("no pitch cone below 90 degrees has {teeth} teeth beside this gear"),
+            &format!("no pitch cone up to 90 degrees has {teeth} teeth beside this gear"),
             "mate.teeth",
             teeth.to_string(),
-            &format!("< {}", shown_number(most)),
+            &format!("<= {}", shown_number(most)),
             "compare the teeth and the pitch cone angle of both gears with the drawing",
         ));
     } else if let Some(misfit) = mate.misfit(bevel) {

@@ -11,6 +11,7 @@ pub(super) fn check(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
     leads(job, findings);
     stock(job, findings);
     probe(job, findings);
+    measured_halves(job, findings);
     let drawn = job.gear.is_some() || job.bevel.is_some();
     if job.compensation.is_some() && !drawn {
         findings.push(contradiction(
@@ -28,6 +29,20 @@ pub(super) fn check(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
             "a table".into(),
             "no table, or a [bevel]",
             "leave [measuring_grid] out; profiles and helix traces of a [gear] are measured as its `evaluation` has them",
+        ));
+    }
+}
+
+/// A grid lies on flanks that reach from the toe to the heel.
+fn measured_halves(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
+    if job.measuring_grid.is_some() && job.bevel.as_ref().is_some_and(|bevel| bevel.double_helical.is_some())
+    {
+        findings.push(contradiction(
+            "the grid of a bevel gear reaches over flanks from toe to heel, and a double-helical gear has halves",
+            "measuring_grid",
+            "a table beside bevel.double_helical".into(),
+            "no table with bevel.double_helical",
+            "leave [measuring_grid] out",
         ));
     }
 }

@@ -176,7 +176,7 @@ impl<'a> Wanted<'a> {
         (side, heights): (Flank, [f64; 2]),
         (list, key): (&[tables::Modification], &str),
     ) -> Result<OnBevel, RunFailure> {
-        let half = 0.5 * gear.data().face_width;
+        let half = 0.5 * gear.width();
         let base_helix = map.base_helix(gear);
         let rolls = heights.map(|height| map.roll(height));
         let field = EvaluationField::new(rolls, [-half, half], map.roll_per_height, base_helix)

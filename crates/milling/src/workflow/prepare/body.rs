@@ -38,6 +38,16 @@ pub(super) fn with_offset<S: OffsetBase + 'static>(
     }
 }
 
+/// Lets each of two halves, that at the ascending end of the teeth first, know the flanks and tops of the other.
+pub(super) fn join_halves(parts: &mut [Space]) {
+    let [upper, lower] = parts else { return };
+    upper.other_half.clone_from(&lower.flanks);
+    lower.other_half.clone_from(&upper.flanks);
+    let own = upper.lands.clone();
+    upper.lands.extend(&lower.lands);
+    lower.lands.extend(own);
+}
+
 /// A space with its column planes turned about the normal of the base body, degrees.
 pub(super) fn part(
     skew_deg: f64,

@@ -1,14 +1,14 @@
 //! Involute gears of a job as spaces to be milled: cylindrical ones, or with a cone angle; one space, or the two halves of a double-helical gear
 //! (`docs/mathematics/milling.md#flanks-as-patches`).
 
-use super::body::{Body, CLEARANCE, floor, part, with_offset};
+use super::body::{Body, CLEARANCE, floor, join_halves, part, with_offset};
 use super::lands::lands;
 use super::walls::{below_root_body, ring, root_body, root_in_ring};
 use crate::job::{LoadedMillingJob, MillingGear};
 use crate::workflow::finding::failure;
 use crate::{
-    ActiveFlank, HeightLimits, HelixOnCone, HelixOnCylinder, LeadCurve, MirroredLead, Retraction, RollOnCone,
-    Space, SpaceFlank, Tapered, lead_through_row,
+    ActiveFlank, Along, HeightLimits, HelixOnCone, HelixOnCylinder, Kink, LeadCurve, MirroredLead,
+    Retraction, RollOnCone, Space, SpaceFlank, Tapered, lead_through_row,
 };
 use foundation::geometry::{Flank, Gear, GeometryError, Helicoid, Mirrored, NormalOffset, Sides, Surface};
 use foundation::modification::{EvaluationField, Modification, ModificationSpec};
@@ -35,14 +35,14 @@ pub(super) struct Teeth<'a> {
 struct Extent {
     /// Ends of its teeth, mm.
     face: [f64; 2],
-    /// z_0 of a double-helical gear, mm, and the side of it on which the teeth lie.
-    kink: Option<(f64, f64)>,
+    /// z_0 of a double-helical gear, and the side of it on which the teeth lie.
+    kink: Option<Kink>,
 }
 
 impl Extent {
     /// The plane in which the teeth are mirrored: those towards -z are the image of those towards +z.
     fn mirror(&self) -> Option<f64> {
-        self.kink.filter(|(_, side)| *side < 0.0).map(|(plane, _)| plane)
+        self.kink.filter(|kink| kink.side < 0.0).map(|kink| kink.length)
     }
 }
 
@@ -69,7 +69,8 @@ pub(super) fn cylindrical(loaded: &LoadedMillingJob, given: &MillingGear) -> Res
         None => vec![Extent { face: [-half, half], kink: None }],
         Some(halves) => {
             let both = halves.faces(drawing.face_width).into_iter().zip([1.0, -1.0]);
-            both.map(|(face, side)| Extent { face, kink: Some((halves.apex, side)) }).collect()
+            let kink = |side| Kink { length: halves.apex, side, along: Along::Axis };
+            both.map(|(face, side)| Extent { face, kink: Some(kink(side)) }).collect()
         }
     };
     let flanks = extents.iter().map(|extent| teeth.flanks(extent)).collect::<Result<Vec<_>, _>>()?;
@@ -110,13 +111,7 @@ pub(super) fn cylindrical(loaded: &LoadedMillingJob, given: &MillingGear) -> Res
         space
     };
     let mut parts: Vec<Space> = extents.iter().zip(&flanks).map(spaces_of).collect();
-    if let [upper, lower] = parts.as_mut_slice() {
-        upper.other_half.clone_from(&lower.flanks);
-        lower.other_half.clone_from(&upper.flanks);
-        let own = upper.lands.clone();
-        upper.lands.extend(&lower.lands);
-        lower.lands.extend(own);
-    }
+    join_halves(&mut parts);
     let retraction = match (sign > 0.0, taper.slope) {
         (false, _) => Retraction::Inside(tip - CLEARANCE),
         (true, 0.0) => Retraction::Outside(tip + CLEARANCE),

@@ -32,11 +32,10 @@ pub(super) fn root_in_ring(radius: f64, ends: [f64; 2], turns: [f64; 2], pitch: 
     frustum("root body", WallKind::Base, surface, [-pitch, pitch])
 }
 
-/// The root cone of a bevel gear over its face, so many mm below the drawn one.
-pub(super) fn root_cone(gear: &BevelGear, below: f64) -> Wall {
+/// The root cone of a bevel gear between two distances from the apex, so many mm below the drawn one.
+pub(super) fn root_cone(gear: &BevelGear, face: [f64; 2], below: f64) -> Wall {
     let (sin, cos) = gear.root_angle().sin_cos();
-    let [radii, positions] =
-        [gear.face().map(|r| r * sin - below * cos), gear.face().map(|r| r * cos + below * sin)];
+    let [radii, positions] = [face.map(|r| r * sin - below * cos), face.map(|r| r * cos + below * sin)];
     around("root body", [radii, positions])
 }
 

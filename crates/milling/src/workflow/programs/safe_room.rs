@@ -46,6 +46,7 @@ impl SafeRoom {
                 let out = radial * cos - Vector3::z() * sin;
                 rho * dip * cos - (tip.z - apex) * sin - distance - self.reach(axis.dot(&out))
             }
+            Retraction::Below(plane) => plane - tip.z - self.reach(-axis.z),
             Retraction::Inside(radius) => {
                 // Towards the shank the tool comes nearer to the axis of the gear, so that only its discs on this side count.
                 let cos = -axis.dot(&radial);
