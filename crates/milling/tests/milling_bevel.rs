@@ -177,11 +177,11 @@ fn nothing_of_a_half_crosses_the_middle_and_rays_find_no_gouge() {
         }
         let [deviation, difference] = worst(&outcome);
         assert!(deviation < 40.0 && difference < 4.0, "{gap}: {deviation} {difference}");
-        let out_of_reach =
-            outcome.result.flanks.values().filter(|flank| flank.out_of_reach.is_some()).count();
         if gap == "gap = 0.0" {
-            // The corners of one side of the space are hollow, those of the other stand out.
-            assert_eq!(out_of_reach, 2);
+            // The corners of one side of the space are hollow; those of the other stand out, with edges that are relieved by micrometres.
+            let rest =
+                |flank: &milling::workflow::FlankResult| flank.out_of_reach.map_or(0.0, |of| of.length_mm);
+            assert_eq!(outcome.result.flanks.values().filter(|flank| rest(flank) > 0.2).count(), 2);
         }
         for (name, flank) in &outcome.result.flanks {
             assert!(flank.gouged == 0 && flank.unmilled.is_empty(), "{gap} {name}: {:?}", flank.unmilled);
