@@ -975,6 +975,13 @@ export interface components {
     };
     /** @description What a body is. */
     BodyKind: "gear" | "part" | "worm" | "dresser" | "cutter" | "tool" | "beam" | "stylus";
+    /** @description The worm on which the dresser works without stretch on both flanks of an asymmetric gear. */
+    BothFlanks: {
+      /** @description The conical worm that stretches neither flank; absent where none is near. */
+      conical: components["schemas"]["WormOfLeastStretch"] | null;
+      /** @description The cylindrical worm on which the larger stretch is least; absent where none is near. */
+      cylindrical: components["schemas"]["WormOfLeastStretch"] | null;
+    };
     /** @description A broken edge. */
     BrokenEdge: {
       /**
@@ -3828,6 +3835,8 @@ export interface components {
       scope: components["schemas"]["Scope"];
       /** @description Settings. */
       settings: components["schemas"]["SettingsResult"];
+      /** @description Smaller worms that today's dressing leaves whole; absent where no single dresser works on a cylindrical worm. */
+      spared_worms?: components["schemas"]["SparedWormsResult"] | null;
       /** @description Whether the target is met. */
       status: components["schemas"]["Status"];
       /** @description Seconds per stage; the only part that differs between two runs. */
@@ -7707,6 +7716,22 @@ export interface components {
        */
       tool_shift_mm: number;
     };
+    /** @description The smaller worms that today's dressing leaves whole, the addendum kept. */
+    SparedWormsResult: {
+      /** @description The cut into the smallest that was looked at, if there is one. */
+      cut?: components["schemas"]["UnderminedResult"] | null;
+      /**
+       * Format: double
+       * @description Tip diameter of the smallest worm that was looked at: that of `technology.life`, but no smaller than today's root diameter,
+       *     which the dresser reaches; smaller worms are whole.
+       */
+      looked_down_to_mm: number;
+      /**
+       * Format: double
+       * @description Tip diameter of the smallest that is left whole.
+       */
+      spared_down_to_mm: number;
+    };
     /** @description A spline with its values. */
     SplineValues: {
       /**
@@ -8721,6 +8746,23 @@ export interface components {
        */
       tooth: number;
     };
+    /** @description Where today's dressing cuts into a smaller worm. */
+    UnderminedResult: {
+      /**
+       * Format: double
+       * @description Depth, normal.
+       */
+      depth_um: number;
+      /** @description Flank that is dressed. */
+      dressed: string;
+      /** @description Flank of the smaller worm. */
+      flank: string;
+      /**
+       * Format: double
+       * @description Place along the worm.
+       */
+      z_mm: number;
+    };
     /** @description An item that was not judged. */
     UnjudgedItem: {
       /** @description Whether the job asks for it: then the target is not met. */
@@ -8950,6 +8992,29 @@ export interface components {
       /** @description Areas of the worm; widths in balance last equally long. */
       zones: components["schemas"]["ZoneLoadResult"][];
     };
+    /** @description A worm and what it leaves of the stretch. */
+    WormOfLeastStretch: {
+      /**
+       * Format: double
+       * @description Cone angle.
+       */
+      cone_angle_deg: number;
+      /**
+       * Format: double
+       * @description Normal pressure angle of the left flank; the right one follows from the module that both share.
+       */
+      pressure_angle_left_deg: number;
+      /**
+       * Format: double
+       * @description Relative profile stretch of the left flank.
+       */
+      stretch_left: number;
+      /**
+       * Format: double
+       * @description Relative profile stretch of the right flank.
+       */
+      stretch_right: number;
+    };
     /** @description The worm at one diameter. */
     WormOfLife: {
       /** @description What the plan at this diameter comes to; absent where there is none. */
@@ -8969,6 +9034,11 @@ export interface components {
        * @description Pressure angle of the worm at which the profile is not stretched; absent where none is near.
        */
       angle_without_stretch_deg: number | null;
+      /**
+       * @description The worm of this diameter for both flanks of an asymmetric gear at once; absent over other quantities and for symmetric
+       *     gears, whose flanks share the angle above.
+       */
+      both_flanks?: components["schemas"]["BothFlanks"] | null;
       /**
        * Format: double
        * @description Correction of the centre distance.
