@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 const ALONG_HEIGHT: usize = 25;
 const ALONG_LENGTH: usize = 33;
 /// Corners of a bore or rim.
-const AROUND: usize = 180;
+pub(super) const AROUND: usize = 180;
 /// How much deeper than the root the gap of a double-helical gear is drawn, as a share of the depth of the teeth.
 const GROOVE: f64 = 0.1;
 /// What is left of the teeth on its floor, and how far its walls lean as a share of its width: points of a section that lie on one radius

@@ -3,7 +3,7 @@
 mod mill;
 
 use crate::workflow::MillingOutcome;
-use crate::workflow::part_mesh::{Fineness, part_with};
+use crate::workflow::part_mesh::{AROUND, Fineness, part_with};
 use crate::workflow::prepare::WorkpieceKind;
 use crate::workflow::scene::mill::mill;
 use crate::{CutterPlace, MilledSide, MillingPlan, Operation, OperationKind};
@@ -38,8 +38,11 @@ struct ShownCutter<'a> {
 /// [`RunFailure`] for bodies that cannot be meshed and motions without numbers.
 pub fn scene_of_milling(outcome: &MillingOutcome) -> Result<Scene, RunFailure> {
     let milled = &outcome.prepared.bodies;
-    let sections = milled.spaces * milled.parts.len() * 4 * (HEIGHT + 1);
-    let length = (MOST_TRIANGLES / sections.max(1) + 1).clamp(LENGTH[0], LENGTH[1]);
+    // Between two sections lie the teeth and bore or rim, between two halves a gap of three such strips.
+    let strip = milled.spaces * 4 * (HEIGHT + 1) + 2 * AROUND;
+    let parts = milled.parts.len().max(1);
+    let of_teeth = (MOST_TRIANGLES / strip).saturating_sub(3 * (parts - 1));
+    let length = (of_teeth / parts + 1).clamp(LENGTH[0], LENGTH[1]);
     let fineness = Fineness { height: HEIGHT, length };
     let part = part_with(milled, fineness).map_err(|e| unmeshed("part", &e))?;
     let (id, kind) = match milled.kind {

@@ -230,6 +230,10 @@ pub(super) const TEXTS: &[Text] = &[
     ),
     ("{} {n} to {n} deg", "{} {} bis {} deg"),
     (
+        "Between paths an axis is turned back or changes its position {n} times, with the cutter outside of the workpiece.",
+        "Zwischen den Bahnen wird eine Achse {} mal zurückgedreht oder wechselt ihre Stellung, der Fräser außerhalb des Werkstücks.",
+    ),
+    (
         "Where the axes stand at the end of the program, as the control counts them: {}.",
         "Wo die Achsen am Ende des Programms stehen, wie die Steuerung sie zählt: {}.",
     ),
