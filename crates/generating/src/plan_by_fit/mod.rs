@@ -46,6 +46,8 @@ const NEARLY: f64 = 2.5;
 const NEIGHBOURS: [f64; 4] = [1.04, 0.96, 1.1, 0.9];
 /// Ratios between these that are carried out where all of them miss, at most.
 const BETWEEN: usize = 10;
+/// What is missed by more than so many tolerances no ratio between makes.
+const WORTH_MORE: f64 = 3.0;
 /// A fit that leaves more than this of what an unmodified flank would is hardly one.
 const OF_UNMODIFIED: f64 = 0.5;
 /// So many of those that were not dressed are dressed after all where there is no plan, the most promising first, until one is.
@@ -167,7 +169,8 @@ impl PlanTask<'_> {
                 break;
             }
         }
-        if self.effort == Effort::Full && self.ratio.is_none() {
+        let near = |known: &FittedPlan| known.strain <= WORTH_MORE * self.tolerance;
+        if self.effort == Effort::Full && self.ratio.is_none() && best.as_ref().is_none_or(near) {
             let scan = fits((&coarse, SCAN_INTERVALS))?;
             best = self.sought_between(
                 &task,
