@@ -262,7 +262,8 @@ fn jobs() -> Vec<Value> {
         "modifications": [{ "kind": "profile_crowning", "amount_um": 5.0, "flank": "both" }] });
     let hobbed = json!({ "outer_transverse_module": 5.0, "teeth": 15, "pitch_cone_angle_deg": 23.198590513648185, "face_width": 25.0,
         "spiral": { "line": "epicycloid", "mean_spiral_angle_deg": 35.0, "cutter_radius": 63.0, "blade_groups": 5, "hand": "right" } });
-    let arrows = json!({ "outer_transverse_module": 5.0, "teeth": 31, "pitch_cone_angle_deg": 60.0, "face_width": 26.0,
+    let slim = json!({ "shape": "cone", "diameter": 1.6, "corner_radius": 0.3, "half_angle_deg": 2.0, "cutting_length": 12.0 });
+    let arrows = json!({ "outer_transverse_module": 6.0, "teeth": 31, "pitch_cone_angle_deg": 60.0, "face_width": 26.0,
         "spiral": { "line": "skew", "mean_spiral_angle_deg": 20.0, "hand": "right" }, "double_helical": { "gap": 6.0, "middle": 0.5 } });
     let straight = json!({ "outer_transverse_module": 5.0, "teeth": 16, "pitch_cone_angle_deg": 33.7,
         "pressure_angle_deg": 20.0, "face_width": 20.0, "flank": "spherical-involute" });
@@ -290,7 +291,7 @@ fn jobs() -> Vec<Value> {
         pair,
         rolled,
         job("bevel", &hobbed, 400.0, &cone, milling(json!({ "contact_height": 1.5, "columns": 5 }))),
-        job("bevel", &arrows, 900.0, &cone, milling(json!({ "contact_height": 1.5, "columns": 5 }))),
+        job("bevel", &arrows, 900.0, &slim, milling(json!({ "contact_height": 1.0, "columns": 5 }))),
         job("bevel", &straight, 900.0, &cone, milling(json!({ "contact_height": 1.0 }))),
         job(
             "blade",

@@ -47,7 +47,7 @@ const NEIGHBOURS: [f64; 4] = [1.04, 0.96, 1.1, 0.9];
 /// Ratios between these that are carried out where all of them miss, at most.
 const BETWEEN: usize = 10;
 /// What is missed by more than so many tolerances no ratio between makes.
-const WORTH_MORE: f64 = 3.0;
+const WORTH_MORE: f64 = 5.0;
 /// A fit that leaves more than this of what an unmodified flank would is hardly one.
 const OF_UNMODIFIED: f64 = 0.5;
 /// So many of those that were not dressed are dressed after all where there is no plan, the most promising first, until one is.
